@@ -1,0 +1,161 @@
+#include "estimate.h"
+
+#include <algorithm>
+
+#include "parallel.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr std::uint64_t kChunkSamples = 1024;
+
+struct CancelObserver : NoObserver {
+    const std::atomic<bool>* cancelled;
+    bool keepGoing() const { return !cancelled->load(std::memory_order_relaxed); }
+};
+
+/// What one chunk adds: some samples of one repeat, or whole repeats if they are short.
+struct Chunk {
+    Statistics samples;
+    Statistics repeats;
+    Rgb direct{0.0}, indirect{0.0};  // sums over samples
+    std::uint64_t rays = 0;
+    bool endsRepeat = false;  // the last part of a repeat that takes several chunks
+};
+
+template <class Observer>
+Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings, const EstimateOptions& options,
+             Observer& observer) {
+    const std::uint32_t N = settings.samples;
+    const std::uint64_t chunksPerRepeat = (N + kChunkSamples - 1) / kChunkSamples;
+    const std::uint64_t repeatsPerChunk = std::max<std::uint64_t>(1, kChunkSamples / N);
+    const std::uint64_t chunks = chunksPerRepeat > 1
+                                     ? options.repeats * chunksPerRepeat
+                                     : (options.repeats + repeatsPerChunk - 1) / repeatsPerChunk;
+
+    const auto addSamples = [&](Chunk& chunk, std::uint64_t repeat, std::uint32_t first, std::uint32_t last) {
+        Statistics mine;
+        for (std::uint32_t n = first; n < last; ++n) {
+            const Irradiance E = gatherOnce(index, at, settings, options.firstRepeat + repeat, {n, n + 1, N}, observer,
+                                            chunk.rays);
+            mine.add(E.total());
+            if (!isFinite(E.total())) continue;
+            chunk.direct += E.direct;
+            chunk.indirect += E.indirect;
+        }
+        chunk.samples.merge(mine);
+        return mine.mean;
+    };
+
+    const auto work = [&](std::uint64_t c) {
+        Chunk chunk;
+        if (chunksPerRepeat > 1) {
+            const std::uint64_t part = c % chunksPerRepeat;
+            const auto first = static_cast<std::uint32_t>(part * kChunkSamples);
+            addSamples(chunk, c / chunksPerRepeat, first, static_cast<std::uint32_t>(std::min<std::uint64_t>(first + kChunkSamples, N)));
+            chunk.endsRepeat = part + 1 == chunksPerRepeat;
+        } else {
+            const std::uint64_t end = std::min((c + 1) * repeatsPerChunk, options.repeats);
+            for (std::uint64_t r = c * repeatsPerChunk; r < end; ++r) chunk.repeats.add(addSamples(chunk, r, 0, N));
+        }
+        return chunk;
+    };
+
+    Estimate estimate;
+    Statistics openRepeat;
+    const auto merge = [&](const Chunk& chunk) {
+        estimate.samples.merge(chunk.samples);
+        estimate.repeats.merge(chunk.repeats);
+        estimate.direct += chunk.direct;
+        estimate.indirect += chunk.indirect;
+        estimate.rays += chunk.rays;
+        if (chunksPerRepeat == 1) return;
+        openRepeat.merge(chunk.samples);
+        if (!chunk.endsRepeat) return;
+        estimate.repeats.add(openRepeat.mean);
+        openRepeat = {};
+    };
+    forChunksInOrder(chunks, options.threads, options.cancelled, work, merge);
+
+    const double count = std::max(1.0, static_cast<double>(estimate.samples.count));
+    estimate.direct /= count;
+    estimate.indirect /= count;
+    return estimate;
+}
+
+/// Wall within 1e-9 of the scene's extent of P, and the parameter of the point on it that is nearest to P.
+std::optional<std::pair<std::uint32_t, double>> wallAt(const SegmentIndex& index, Vec2 P) {
+    double extent = std::max(std::abs(P.x), std::abs(P.y));
+    double nearest = kInfinity;
+    std::pair<std::uint32_t, double> found;
+    const auto& segments = index.scene().segments;
+    for (std::uint32_t i = 0; i < segments.size(); ++i) {
+        const Segment& s = segments[i];
+        extent = std::max({extent, std::abs(s.a.x), std::abs(s.a.y), std::abs(s.b.x), std::abs(s.b.y)});
+        const Vec2 edge = s.b - s.a;
+        const double t = std::clamp(glm::dot(P - s.a, edge) / glm::dot(edge, edge), 0.0, 1.0);
+        const double distance = glm::length(s.a + t * edge - P);
+        if (distance >= nearest) continue;
+        nearest = distance;
+        found = {i, t};
+    }
+    if (nearest <= 1e-9 * extent) return found;
+    return std::nullopt;
+}
+
+Rgb albedoOf(const SegmentIndex& index, std::uint32_t segment) {
+    const Scene& scene = index.scene();
+    return std::get<Diffuse>(scene.materials[scene.segments[segment].material]).albedo;
+}
+
+}  // namespace
+
+Estimate estimateIrradiance(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
+                            const EstimateOptions& options) {
+    if (options.cancelled) {
+        CancelObserver observer{{}, options.cancelled};
+        return run(index, at, settings, options, observer);
+    }
+    NoObserver observer;
+    return run(index, at, settings, options, observer);
+}
+
+double raysPerRepeat(const SegmentIndex& index, const Settings& settings) {
+    const double N = settings.samples;
+    const double deltas = static_cast<double>(index.scene().lights.size());
+    const double drawn = settings.emitters == Emitters::hit ? 0.0 : static_cast<double>(index.emitters().size());
+    double gathers = N, rays = 0.0;  // at depth 0 each sample is gathered by itself and asks the delta lights again
+    for (std::uint32_t depth = 0; depth <= settings.maxDepth; ++depth) {
+        const double samplesEach = depth == 0 ? 1.0 : N;
+        rays += gathers * (samplesEach * (1.0 + drawn) + deltas);
+        gathers = std::pow(N, depth + 1.0);
+    }
+    return rays;
+}
+
+std::optional<ShadedPoint> shadedPointAt(const SegmentIndex& index, Vec2 P, std::optional<Vec2> normal) {
+    const auto wall = wallAt(index, P);
+    if (!normal && !wall) return std::nullopt;
+    if (!wall) return ShadedPoint{P, glm::normalize(*normal)};
+
+    const ShadedPoint onWall = shadedPointOn(index, wall->first, wall->second);
+    if (!normal) return onWall;
+    const Vec2 N = glm::normalize(*normal);
+    constexpr double kSameDirection = 1e-9;
+    if (glm::length(N - onWall.N) < kSameDirection) return onWall;
+    if (glm::length(N + onWall.N) < kSameDirection) return ShadedPoint{onWall.P, -onWall.N, onWall.segment, onWall.albedo};
+    // A tilted half-disk reaches below the wall: stand clearly on its side and let the wall block what is below.
+    const double side = glm::dot(N, onWall.N) < 0.0 ? -1.0 : 1.0;
+    return ShadedPoint{onWall.P + onWall.N * (side * index.originShift(wall->first)), N};
+}
+
+ShadedPoint shadedPointOn(const SegmentIndex& index, std::uint32_t segment, double t) {
+    return {index.pointOn(segment, t), index.normal(segment), segment, albedoOf(index, segment)};
+}
+
+Rgb outgoingRadiance(const SegmentIndex& index, const ShadedPoint& at, const Rgb& irradiance, DefectSet defects) {
+    const Segment& wall = index.scene().segments[at.segment];
+    return wall.emission + irradiance * at.albedo / (defects.has(Defect::albedo) ? kPi : 2.0);
+}
+
+}  // namespace halfdisk

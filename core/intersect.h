@@ -1,0 +1,73 @@
+// Which wall does a ray meet first, and is the way to a light free? Brute force over all segments: simple and clear.
+//
+// The test is the sign of cross(d, p - o) at both endpoints p: the ray's line separates them iff the signs differ. Zero
+// counts as positive, and neighbours share their vertex bit for bit, so of two neighbours exactly one is hit: nothing
+// leaks between them and nothing is hit twice.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "scene.h"
+
+namespace halfdisk {
+
+inline constexpr std::uint32_t kNoSegment = 0xFFFFFFFF;
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Ray {
+    Vec2 origin;                      ///< m
+    Vec2 direction;                   ///< need not be of unit length; t counts in its length
+    std::uint32_t skip = kNoSegment;  ///< the straight wall that the ray leaves, which it cannot meet again
+    double pdfAngle = 0.0;            ///< density (1/rad) by which a half-disk drew it; 0: aimed, not drawn
+};
+
+struct Hit {
+    std::uint32_t segment = kNoSegment;
+    double t = kInfinity;  ///< along the ray, in lengths of its direction
+    double u = 0.0;        ///< along the segment, 0 at a and 1 at b
+    bool front = false;    ///< the ray came from the front side (left of a->b)
+
+    explicit operator bool() const { return segment != kNoSegment; }
+};
+
+/// A scene made ready for rays. Keeps a pointer to the scene, which must outlive it and stay as it is.
+class SegmentIndex {
+   public:
+    /// Throws std::invalid_argument for a zero-length or non-finite segment or a material that does not exist.
+    explicit SegmentIndex(const Scene& scene);
+
+    /// First wall at t > 0. Of coincident walls the one that faces the ray is met, then the lower index.
+    Hit closestHit(const Ray& ray) const;
+
+    /// Whether any wall but ray.skip and `except` lies at 0 < t < tMax.
+    bool occluded(const Ray& ray, double tMax, std::uint32_t except = kNoSegment) const;
+
+    const Scene& scene() const { return *scene_; }
+    const Rgb& environment() const { return scene_->environment; }
+    const std::vector<std::uint32_t>& emitters() const { return emitters_; }  ///< segments that emit, ascending
+    Vec2 normal(std::uint32_t segment) const { return edges_[segment].normal; }
+    double length(std::uint32_t segment) const { return edges_[segment].length; }
+
+    /// Point at u of a segment, kept away from both ends by `endMargin` so that it stays inside sharp corners too.
+    Vec2 pointOn(std::uint32_t segment, double u) const;
+
+    /// Bound (m) on how far a rounded point of this segment can lie from its line; twice over.
+    double originShift(std::uint32_t segment) const { return edges_[segment].originShift; }
+
+   private:
+    struct Edge {
+        Vec2 p, q;           // the endpoints in lexicographic order: coincident walls give bit-equal t
+        Vec2 normal;         // of the front side
+        double length;       // m
+        double originShift;  // m
+        bool flipped;        // p is b
+    };
+
+    const Scene* scene_;
+    std::vector<Edge> edges_;
+    std::vector<std::uint32_t> emitters_;
+};
+
+}  // namespace halfdisk

@@ -1,0 +1,62 @@
+// What is in a flatland scene? Plain vectors; everything refers to everything else by index.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "math.h"
+
+namespace halfdisk {
+
+/// Lambertian: BRDF albedo / 2 per radian, since the cosine integrates to 2 over a half-disk.
+struct Diffuse {
+    Rgb albedo{0.8};  ///< reflected / arriving power, 0 ... 1 per channel
+    bool operator==(const Diffuse&) const = default;
+};
+
+/// A closed set: a forgotten case does not compile.
+using Material = std::variant<Diffuse>;
+
+/// A wall from a to b (m). Its front is the side to the left of a->b; the back is opaque and black.
+struct Segment {
+    Vec2 a{0.0}, b{0.0};
+    std::uint32_t material = 0;  ///< index into Scene::materials
+    Rgb emission{0.0};           ///< radiance Le leaving the front, W / (m rad)
+    bool twoSided = false;       ///< both sides scatter and emit like a front
+    bool operator==(const Segment&) const = default;
+};
+
+/// Irradiance I cos / r at distance r: in flatland light falls off with 1 / r.
+struct PointLight {
+    Vec2 position{0.0};   ///< m
+    Rgb intensity{1.0};   ///< I, W / rad; its power is 2 pi I
+    bool operator==(const PointLight&) const = default;
+};
+
+struct DirectionalLight {
+    Vec2 direction{0.0, -1.0};  ///< of travel, unit length
+    Rgb irradiance{1.0};        ///< on a surface that faces it, W / m
+    bool operator==(const DirectionalLight&) const = default;
+};
+
+using DeltaLight = std::variant<PointLight, DirectionalLight>;
+
+struct Scene {
+    std::string title;
+    Rgb environment{0.0};  ///< radiance of everything that is not a wall, W / (m rad)
+    std::vector<Segment> segments;
+    std::vector<std::string> segmentNames;  ///< parallel to `segments`
+    std::vector<Material> materials;
+    std::vector<std::string> materialNames;  ///< parallel to `materials`
+    std::vector<DeltaLight> lights;
+    bool operator==(const Scene&) const = default;
+};
+
+/// Unit normal on the front side of `s`: left of a->b.
+inline Vec2 frontNormal(const Segment& s) { return glm::normalize(perp(s.b - s.a)); }
+
+inline bool isEmitter(const Segment& s) { return s.emission != Rgb(0.0); }
+
+}  // namespace halfdisk

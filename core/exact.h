@@ -7,44 +7,56 @@
 
 namespace halfdisk {
 
-/// Irradiance (W/m) at P, normal N, from an unoccluded one-sided Lambertian segment of radiance Le: the difference of sines
-/// Le |sin beta - sin alpha| of its ends' angles from N, clipped to the half-disk. 0 behind the segment.
+/// Irradiance (W/m) at P, normal N, from an unoccluded Lambertian segment of radiance Le: the difference of sines
+/// Le |sin beta - sin alpha| of its ends' angles from N, clipped to the half-disk. 0 behind a one-sided segment.
 Rgb segmentIrradiance(Vec2 P, Vec2 N, const Segment& segment);
 
-/// Radiance (W/(m rad)) everywhere in a closed room whose walls all emit Le and reflect albedo, with light scattered at most
-/// `depth` times; depth < 0: any number of times. Le (1 - albedo^(depth+1)) / (1 - albedo).
+/// Radiance (W/(m rad)) everywhere in a closed room whose walls all emit Le and reflect `albedo`, with light scattered at
+/// most `depth` times: Le (1 - albedo^(depth+1)) / (1 - albedo). kAnyDepth: without limit.
+inline constexpr int kAnyDepth = -1;
 double closedRoomRadiance(double Le, double albedo, int depth);
 
 /// A stretch of the half-disk in which one thing is seen.
 struct VisibleArc {
-    double from, to;        ///< rad from the tangent, 0 <= from < to <= pi
-    std::uint32_t segment;  ///< kNoSegment: the environment
-    bool litSide;           ///< the side seen scatters and emits
+    double from, to;         ///< rad from the tangent, 0 <= from < to <= pi
+    Hit hit;                 ///< of the ray through its middle; none: the environment
 };
 
-/// What P sees over its half-disk, in order of theta. The arcs end where a wall's end is seen or where two walls cross, so
-/// every edge of visibility is one of them. O(n^2) rays and cuts for n walls.
-std::vector<VisibleArc> visibleArcs(const SegmentIndex& index, const ShadedPoint& at);
+/// Where visibility can change: the ends of walls and the points where walls cross. Keeps a pointer to the index.
+class Visibility {
+   public:
+    /// O(n^2) pairs of n walls.
+    explicit Visibility(const SegmentIndex& index);
 
-/// Irradiance (W/m) that was never scattered: delta lights by their shadow rays, emitting walls and the environment as sums of
-/// L (cos from - cos to) over the visible arcs. Exact with occlusion.
-Rgb directIrradiance(const SegmentIndex& index, const ShadedPoint& at);
+    /// What `at` sees over its half-disk, in order of theta. O(n) rays.
+    std::vector<VisibleArc> arcs(const ShadedPoint& at) const;
 
-/// Radiance that arrives along theta (from the tangent): L of the wall seen, with light scattered at most `depth` times on its
-/// way there (depth 0 or 1), or the environment.
-Rgb arrivingRadiance(const SegmentIndex& index, const ShadedPoint& at, double theta, int depth);
+    const SegmentIndex& index() const { return *index_; }
 
-/// Expectation of E (W/m), and variance of the estimate of it from one sample.
+   private:
+    const SegmentIndex* index_;
+    std::vector<Vec2> corners_;
+};
+
+/// Irradiance (W/m) that was never scattered. Exact with occlusion: delta lights by their shadow rays, emitting walls and the
+/// environment as sums of L (cos from - cos to) over the visible arcs.
+Rgb directIrradiance(const Visibility& visibility, const ShadedPoint& at);
+
+/// Of which the delta lights' part alone.
+Rgb deltaIrradiance(const SegmentIndex& index, const ShadedPoint& at);
+
+/// Radiance that arrives at `at` along theta (rad from the tangent), scattered at most `depth` times on its way: 0 or 1.
+Rgb arrivingRadiance(const Visibility& visibility, const ShadedPoint& at, double theta, int depth);
+
+/// Expectation of E (W/m), and variance of the estimate of it by one sample.
 struct ExactEstimate {
     Rgb mean{0.0};
     Rgb variance{0.0};
-    double error = 0.0;  ///< bound on the quadrature's own error in either, estimated by halving its panels
 };
 
-/// One half-disk sample of what arrives over the half-disk by emitters = hit (delta lights add their exact constant), where
-/// walls show light scattered at most `depth` times (0 or 1). By Gauss-Legendre quadrature between the edges of visibility
-/// and of the shadows of delta lights. `sampler` uniform or cosine; a stratified sample has uniform's mean and variance when
-/// its slice is drawn at random.
-ExactEstimate halfDiskEstimate(const SegmentIndex& index, const ShadedPoint& at, Sampler sampler, int depth);
+/// One half-disk sample (uniform or cosine, emitters = hit) of the light that was scattered at most `depth` times (0 or 1)
+/// before it arrives; delta lights at P itself are added to the mean. Where depth is 1 the radiance of the walls is taken as
+/// exact, so the variance is that of the first bounce alone. Adaptive quadrature, relative error about 1e-9.
+ExactEstimate halfDiskEstimate(const Visibility& visibility, const ShadedPoint& at, Sampler sampler, int depth);
 
 }  // namespace halfdisk

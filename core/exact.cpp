@@ -1,0 +1,131 @@
+#include "exact.h"
+
+#include <algorithm>
+
+#include "quadrature.h"
+
+namespace halfdisk {
+namespace {
+
+// Arcs narrower than this (rad) hold less light than rounding takes from their neighbours.
+constexpr double kNarrowest = 1e-15;
+
+bool seesOver(const ShadedPoint& at, Vec2 direction) { return glm::dot(at.N, direction) > 0.0; }
+
+double thetaOf(const ShadedPoint& at, Vec2 direction) {
+    return std::atan2(glm::dot(at.N, direction), at.N.y * direction.x - at.N.x * direction.y);
+}
+
+// cos from - cos to, without the cancellation that a narrow arc would suffer.
+double cosineMeasure(const VisibleArc& arc) {
+    return 2.0 * std::sin((arc.from + arc.to) / 2) * std::sin((arc.to - arc.from) / 2);
+}
+
+Rgb seenRadiance(const Visibility& visibility, const Hit& hit, int depth) {
+    const SegmentIndex& index = visibility.index();
+    if (!hit) return index.environment();
+    if (!isLitSide(index, hit)) return Rgb(0.0);
+    const Rgb& emission = index.scene().segments[hit.segment].emission;
+    if (depth == 0) return emission;
+    const ShadedPoint there = shadedPointAt(index, hit);
+    return emission + there.albedo / 2.0 * directIrradiance(visibility, there);
+}
+
+void addCrossing(const Segment& s, const Segment& other, std::vector<Vec2>& points) {
+    const Vec2 e = s.b - s.a, f = other.b - other.a;
+    const double denominator = cross(e, f);
+    if (denominator == 0.0) return;
+    const double u = cross(other.a - s.a, f) / denominator, v = cross(other.a - s.a, e) / denominator;
+    if (u > 0.0 && u < 1.0 && v > 0.0 && v < 1.0) points.push_back(s.a + u * e);
+}
+
+}  // namespace
+
+Rgb segmentIrradiance(Vec2 P, Vec2 N, const Segment& segment) {
+    if (!segment.twoSided && cross(segment.b - segment.a, P - segment.a) <= 0.0) return Rgb(0.0);
+    Vec2 a = segment.a - P, b = segment.b - P;
+    const double heightA = glm::dot(a, N), heightB = glm::dot(b, N);
+    if (heightA <= 0.0 && heightB <= 0.0) return Rgb(0.0);
+    if (heightA < 0.0) a += (b - a) * (heightA / (heightA - heightB));
+    if (heightB < 0.0) b += (a - b) * (heightB / (heightB - heightA));
+    return segment.emission * std::abs(cross(N, a) / glm::length(a) - cross(N, b) / glm::length(b));
+}
+
+double closedRoomRadiance(double Le, double albedo, int depth) {
+    if (depth == kAnyDepth) return Le / (1.0 - albedo);
+    double sum = 0.0;
+    for (int k = depth; k >= 0; --k) sum = Le + albedo * sum;
+    return sum;
+}
+
+Visibility::Visibility(const SegmentIndex& index) : index_(&index) {
+    const auto& segments = index.scene().segments;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+        corners_.push_back(segments[i].a);
+        corners_.push_back(segments[i].b);
+        for (std::size_t k = 0; k < i; ++k) addCrossing(segments[i], segments[k], corners_);
+    }
+}
+
+std::vector<VisibleArc> Visibility::arcs(const ShadedPoint& at) const {
+    std::vector<double> cuts{0.0, kPi};
+    for (const Vec2& corner : corners_)
+        if (seesOver(at, corner - at.P)) cuts.push_back(thetaOf(at, corner - at.P));
+    std::sort(cuts.begin(), cuts.end());
+
+    const Frame frame = frameFromNormal(at.N);
+    std::vector<VisibleArc> arcs;
+    double from = cuts.front();
+    for (const double to : cuts) {
+        if (to - from < kNarrowest) continue;
+        const double middle = from + (to - from) / 2;
+        const Vec2 direction = frame.toWorld(std::cos(middle), std::sin(middle));
+        arcs.push_back({from, to, index_->closestHit(rayFrom(*index_, at, direction))});
+        from = to;
+    }
+    return arcs;
+}
+
+Rgb deltaIrradiance(const SegmentIndex& index, const ShadedPoint& at) {
+    Rgb sum{0.0};
+    for (std::uint32_t i = 0; i < index.scene().lights.size(); ++i) {
+        const LightSample light = sampleLight(index, i, at.P, 0.5);
+        if (!seesOver(at, light.L) || index.occluded(rayFrom(index, at, light.L), light.distance)) continue;
+        sum += light.L_i * glm::dot(at.N, light.L);
+    }
+    return sum;
+}
+
+Rgb directIrradiance(const Visibility& visibility, const ShadedPoint& at) {
+    Rgb sum = deltaIrradiance(visibility.index(), at);
+    for (const VisibleArc& arc : visibility.arcs(at)) sum += seenRadiance(visibility, arc.hit, 0) * cosineMeasure(arc);
+    return sum;
+}
+
+Rgb arrivingRadiance(const Visibility& visibility, const ShadedPoint& at, double theta, int depth) {
+    const Vec2 direction = frameFromNormal(at.N).toWorld(std::cos(theta), std::sin(theta));
+    return seenRadiance(visibility, visibility.index().closestHit(rayFrom(visibility.index(), at, direction)), depth);
+}
+
+ExactEstimate halfDiskEstimate(const Visibility& visibility, const ShadedPoint& at, Sampler sampler, int depth) {
+    // f = L cosine is what is integrated; f / pdf is a sample's value, and E[(f / pdf)^2] = integral of f^2 / pdf.
+    const auto moments = [&](double theta) {
+        const double cosine = std::sin(theta);
+        const Rgb f = arrivingRadiance(visibility, at, theta, depth) * cosine;
+        const Rgb second = f * f / pdfHalfDisk(sampler, cosine);
+        return Integrals<6>{f.x, f.y, f.z, second.x, second.y, second.z};
+    };
+    constexpr double kTolerance = 1e-11;
+    ExactEstimate exact;
+    Rgb second{0.0};
+    for (const VisibleArc& arc : visibility.arcs(at)) {
+        const Integrals<6> sum = integrate<6>(moments, arc.from, arc.to, kTolerance);
+        exact.mean += Rgb(sum[0], sum[1], sum[2]);
+        second += Rgb(sum[3], sum[4], sum[5]);
+    }
+    exact.variance = second - exact.mean * exact.mean;
+    exact.mean += deltaIrradiance(visibility.index(), at);
+    return exact;
+}
+
+}  // namespace halfdisk

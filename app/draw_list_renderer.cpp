@@ -80,7 +80,9 @@ GLuint linkProgram(const GlFunctions& gl) {
     throw std::runtime_error(fmt::format("the shaders do not link: {}", log));
 }
 
-const void* byteOffset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+const void* byteOffset(std::size_t bytes) {
+    return reinterpret_cast<const void*>(bytes);
+}
 
 }  // namespace
 
@@ -96,7 +98,8 @@ DrawListRenderer::DrawListRenderer(const GlFunctions& functions) : gl(functions)
     for (const Attribute attribute : {kPosition, kUv, kColor}) gl.enableVertexAttribArray(attribute);
     gl.vertexAttribPointer(kPosition, 2, GL_FLOAT, GL_FALSE, stride, byteOffset(offsetof(ImDrawVert, pos)));
     gl.vertexAttribPointer(kUv, 2, GL_FLOAT, GL_FALSE, stride, byteOffset(offsetof(ImDrawVert, uv)));
-    gl.vertexAttribPointer(kColor, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, byteOffset(offsetof(ImDrawVert, col)));
+    gl.vertexAttribPointer(kColor, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride,
+                           byteOffset(offsetof(ImDrawVert, col)));
     gl.genTextures(1, &fontTexture);
     ImGui::GetIO().BackendFlags |= ImGuiBackendFlags_RendererHasVtxOffset;
     uploadFonts();
@@ -155,7 +158,8 @@ void DrawListRenderer::drawLists(const ImDrawData& drawData, float height) const
     for (int n = 0; n < drawData.CmdListsCount; ++n) {
         const ImDrawList& list = *drawData.CmdLists[n];
         gl.bufferData(GL_ARRAY_BUFFER, list.VtxBuffer.size_in_bytes(), list.VtxBuffer.Data, GL_STREAM_DRAW);
-        gl.bufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data, GL_STREAM_DRAW);
+        gl.bufferData(GL_ELEMENT_ARRAY_BUFFER, list.IdxBuffer.size_in_bytes(), list.IdxBuffer.Data,
+                      GL_STREAM_DRAW);
         for (const ImDrawCmd& command : list.CmdBuffer) {
             if (command.UserCallback || command.ElemCount == 0) continue;
             const float left = std::max(0.0f, (command.ClipRect.x - origin.x) * scale.x);
@@ -171,6 +175,18 @@ void DrawListRenderer::drawLists(const ImDrawData& drawData, float height) const
                                       static_cast<GLint>(command.VtxOffset));
         }
     }
+}
+
+Image readFramebuffer(const GlFunctions& gl, int width, int height) {
+    Image image{width, height, {}};
+    const std::size_t row = std::size_t{4} * static_cast<std::size_t>(width);
+    image.rgba.resize(row * static_cast<std::size_t>(height));
+    gl.pixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl.readPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+    for (int y = 0; y < height / 2; ++y)  // OpenGL counts rows from the bottom
+        std::swap_ranges(image.at(0, y), image.at(0, y) + row, image.at(0, height - 1 - y));
+    for (std::size_t opacity = 3; opacity < image.rgba.size(); opacity += 4) image.rgba[opacity] = 255;
+    return image;
 }
 
 }  // namespace halfdisk

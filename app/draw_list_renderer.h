@@ -1,17 +1,19 @@
 // How do Dear ImGui's draw lists become pixels with OpenGL 3.3 core?
-// The packaged OpenGL backend opens libGL.so.1 by name and so cannot start under OSMesa; this one serves both hosts.
+// The packaged OpenGL backend opens libGL.so.1 by name and so cannot start under OSMesa; this one serves both
+// hosts.
 #pragma once
 
 #include "app/gl_functions.h"
+#include "app/png_image.h"
 
 struct ImDrawData;
 
 namespace halfdisk {
 
-/// Owns a shader, the buffers and the texture of the fonts. The GL and the ImGui context that it was made in must be
-/// current whenever it is called and when it is destroyed.
+/// Owns a shader, the buffers and the texture of the fonts. The GL and the ImGui context that it was made in
+/// must be current whenever it is called and when it is destroyed.
 class DrawListRenderer {
-   public:
+ public:
     /// Also tells ImGui that vertex offsets are honoured (more than 65 536 vertices in one list).
     /// Throws std::runtime_error with the compiler's log if a shader is refused.
     explicit DrawListRenderer(const GlFunctions& functions);
@@ -25,7 +27,7 @@ class DrawListRenderer {
     /// Clears the framebuffer to `clearColor` (ImU32) and draws. User callbacks in the lists are skipped.
     void render(const ImDrawData& drawData, unsigned clearColor);
 
-   private:
+ private:
     void drawLists(const ImDrawData& drawData, float height) const;
 
     const GlFunctions gl;
@@ -36,5 +38,8 @@ class DrawListRenderer {
     GLint displayUniform = -1;
     GLint textureUniform = -1;
 };
+
+/// The current framebuffer, rows from the top, opaque.
+Image readFramebuffer(const GlFunctions& gl, int width, int height);
 
 }  // namespace halfdisk

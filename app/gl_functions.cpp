@@ -15,7 +15,8 @@ struct Loader {
     template <class Function>
     void operator()(Function& function, const char* name) const {
         function = reinterpret_cast<Function>(getProc(name));
-        if (!function) throw std::runtime_error(fmt::format("this OpenGL has no {}; version 3.3 is needed", name));
+        if (!function)
+            throw std::runtime_error(fmt::format("this OpenGL has no {}; version 3.3 is needed", name));
     }
 };
 

@@ -10,7 +10,8 @@ using GlFunction = void (*)();
 /// Finds a GL function by name, null if there is none (glfwGetProcAddress, OSMesaGetProcAddress).
 using GlGetProc = GlFunction (*)(const char* name);
 
-/// The GL 3.3 core functions that the draw-list renderer needs. They belong to one context and are valid while it is current.
+/// The GL 3.3 core functions that the draw-list renderer needs. They belong to one context and are valid
+/// while it is current.
 struct GlFunctions {
     PFNGLACTIVETEXTUREPROC activeTexture = nullptr;
     PFNGLATTACHSHADERPROC attachShader = nullptr;
@@ -57,7 +58,8 @@ struct GlFunctions {
     PFNGLVIEWPORTPROC viewport = nullptr;
 };
 
-/// Looks all of them up in the context that is current. Throws std::runtime_error naming the first one missing.
+/// Looks all of them up in the context that is current. Throws std::runtime_error naming the first one
+/// missing.
 GlFunctions loadGlFunctions(GlGetProc getProc);
 
 }  // namespace halfdisk

@@ -35,8 +35,8 @@ struct PngControl {
 
 std::string encodePng(const Image& image) {
     if (image.width <= 0 || image.height <= 0 || image.rgba.size() != byteCount(image.width, image.height))
-        throw std::invalid_argument(
-            fmt::format("an image of {}x{} cannot have {} bytes", image.width, image.height, image.rgba.size()));
+        throw std::invalid_argument(fmt::format("an image of {}x{} cannot have {} bytes", image.width,
+                                                image.height, image.rgba.size()));
     PngControl png;
     png.image.width = static_cast<png_uint_32>(image.width);
     png.image.height = static_cast<png_uint_32>(image.height);
@@ -81,8 +81,8 @@ Image readPng(const std::filesystem::path& path) {
 
 ImageComparison compareImages(const Image& a, const Image& b, int toleranceLevels) {
     if (a.width != b.width || a.height != b.height || a.rgba.size() != b.rgba.size())
-        throw std::invalid_argument(
-            fmt::format("images of {}x{} and {}x{} cannot be compared", a.width, a.height, b.width, b.height));
+        throw std::invalid_argument(fmt::format("images of {}x{} and {}x{} cannot be compared", a.width,
+                                                a.height, b.width, b.height));
     ImageComparison result{0, 0, a};
     for (std::size_t pixel = 0; pixel < a.rgba.size(); pixel += 4) {
         int difference = 0;

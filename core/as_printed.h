@@ -1,21 +1,25 @@
-// What does the published listing return as it is printed? castRay once more, with each of its defects behind a switch.
+// What does the published listing return as it is printed? castRay once more, with each of its defects behind
+// a switch.
 //
-// With every switch off this is cast_ray.h to the bit (a test holds it to that); the switches are the entries of kDefects.
-// The listing's other slips have no run-time effect of their own or do not compile: N and P are declared twice, the call
-// passes a direction for a normal, the sum runs to N, the count of rays leaves out the lower levels, two spellings of one
-// variable, nothing for walls that emit.
+// With every switch off this is cast_ray.h to the bit (a test holds it to that); the switches are the entries
+// of kDefects. The listing's other slips have no run-time effect of their own or do not compile: N and P are
+// declared twice, the call passes a direction for a normal, the sum runs to N, the count of rays leaves out
+// the lower levels, two spellings of one variable, nothing for walls that emit.
 #pragma once
 
 #include "tracing.h"
 
 namespace halfdisk {
 
+using std::uint32_t;
+
 template <class Observer = NoObserver>
 struct AsPrinted : Tracing<Observer> {
-    using Tracing<Observer>::scene, Tracing<Observer>::settings, Tracing<Observer>::see, Tracing<Observer>::rays;
+    using Tracing<Observer>::scene, Tracing<Observer>::settings, Tracing<Observer>::see,
+        Tracing<Observer>::rays;
 
-    Radiance castRay(const Ray& ray, std::uint32_t depth, const Rng& rng);
-    Irradiance gatherLight(const ShadedPoint& at, std::uint32_t depth, const Rng& rng, SampleRange range);
+    Radiance castRay(const Ray& ray, uint32_t depth, const Rng& rng);
+    Irradiance gatherLight(const ShadedPoint& at, uint32_t depth, const Rng& rng, SampleRange range);
     double shadowRay(const ShadedPoint& at, const LightSample& light, Vec2 towards);
 
     bool printed(Defect defect) const { return settings.defects.has(defect); }
@@ -24,7 +28,7 @@ struct AsPrinted : Tracing<Observer> {
 
 // [listing]
 template <class Observer>
-Radiance AsPrinted<Observer>::castRay(const Ray& ray, std::uint32_t depth, const Rng& rng) {  // 001
+Radiance AsPrinted<Observer>::castRay(const Ray& ray, uint32_t depth, const Rng& rng) {  // 001
     const Hit hit = scene.closestHit(ray);
     see.meet(ray, hit, depth, ++rays);
     if (!hit) return {scene.environment()};
@@ -37,31 +41,33 @@ Radiance AsPrinted<Observer>::castRay(const Ray& ray, std::uint32_t depth, const
 }  // 034
 
 template <class Observer>
-Irradiance AsPrinted<Observer>::gatherLight(const ShadedPoint& at, std::uint32_t depth, const Rng& rng,
+Irradiance AsPrinted<Observer>::gatherLight(const ShadedPoint& at, uint32_t depth, const Rng& rng,
                                             SampleRange range) {
-    const Vec2 P = at.P, N = at.N;  // 003
+    const Vec2 P = at.P, N = at.N;                                                 // 003
     Rgb directLightContrib{0.0}, metLightContrib{0.0}, indirectLightContrib{0.0};  // 004
     see.enter(at, depth);
     // compute direct illumination
-    for (std::uint32_t i = 0; i < lightCount(scene); ++i) {  // 006
+    for (uint32_t i = 0; i < lightCount(scene); ++i) {  // 006
         const SampleRange draws = drawsOf(scene, i, settings.emitters, range);
-        for (std::uint32_t n = draws.first; n < draws.last; ++n) {
-            const LightSample light = sampleLight(scene, i, P, drawUnit(settings, rng, n, 1 + i, draws.N));
-            const Vec2 L = printed(Defect::lightsign) ? -light.L : light.L;  // 007
-            Rgb L_i = light.L_i * weightOf(light, settings, glm::dot(N, L));  // 008
+        for (uint32_t n = draws.first; n < draws.last; ++n) {
+            const double u = drawUnit(settings, rng, n, 1 + i, draws.N);
+            const LightSample light = sampleLight(scene, i, P, u);
+            const Vec2 L = printed(Defect::lightsign) ? -light.L : light.L;            // 007
+            Rgb L_i = light.L_i * weightOf(light, settings, dot(N, L));                // 008
             if (printed(Defect::falloff) && isPoint(scene, i)) L_i *= light.distance;  // I, not I / r
             const double visible = shadowRay(at, light, L);
-            directLightContrib += visible * std::max(0.0, glm::dot(N, L)) * L_i / draws.size();  // 010
+            directLightContrib += visible * std::max(0.0, dot(N, L)) * L_i / draws.size();  // 010
             see.light(i, n, light, visible, directLightContrib);
         }
     }  // 011
     // compute indirect illumination
-    const Frame rotMat = printed(Defect::frame) ? Frame{{{N.y, -N.x}, {N.x, N.y}}} : frameFromNormal(N);  // 013
-    for (std::uint32_t n = range.first; n < range.last && see.keepGoing(); ++n) {  // 015
+    const Frame rotMat =
+        printed(Defect::frame) ? Frame{{{N.y, -N.x}, {N.x, N.y}}} : frameFromNormal(N);  // 013
+    for (uint32_t n = range.first; n < range.last && see.keepGoing(); ++n) {             // 015
         // step 1: draw a random sample in the half-disk
         const auto [theta, pdfAngle] = drawHalfDisk(settings, rng, n, range.N);  // 017
-        const double cosTheta = std::cos(theta);  // 018
-        const double sinTheta = std::sin(theta);  // 019
+        const double cosTheta = std::cos(theta);                                 // 018
+        const double sinTheta = std::sin(theta);                                 // 019
         see.sample(n, theta, pdfAngle);
         // step 2: rotate the sample direction
         const Vec2 direction = rotMat.toWorld(cosTheta, sinTheta);  // 021
@@ -88,18 +94,18 @@ Irradiance AsPrinted<Observer>::gatherLight(const ShadedPoint& at, std::uint32_t
 
 template <class Observer>
 double AsPrinted<Observer>::shadowRay(const ShadedPoint& at, const LightSample& light, Vec2 L) {
-    if (glm::dot(at.N, L) <= 0.0 || light.L_i == Rgb(0.0)) return 0.0;
+    if (dot(at.N, L) <= 0.0 || light.L_i == Rgb(0.0)) return 0.0;
     ++rays;
     return scene.occluded(leave(at, light.L, 0.0), light.distance, light.segment) ? 0.0 : 1.0;
 }
 
-// As printed, a ray starts at the rounded point itself and may meet its own wall. And a ray that a wrong frame sends below
-// the surface meets that wall at once.
+// As printed, a ray starts at the rounded point itself and may meet its own wall. And a ray that a wrong
+// frame sends below the surface meets that wall at once.
 template <class Observer>
 Ray AsPrinted<Observer>::leave(const ShadedPoint& at, Vec2 direction, double pdfAngle) const {
     if (printed(Defect::offset)) return {at.P, direction, kNoSegment, pdfAngle};
     Ray ray = rayFrom(scene, at, direction, pdfAngle);
-    if (glm::dot(at.N, direction) < 0.0) ray.skip = kNoSegment;
+    if (dot(at.N, direction) < 0.0) ray.skip = kNoSegment;
     return ray;
 }
 // [end]

@@ -1,23 +1,27 @@
 // How much light comes back along a ray? The published castRay, with its defects mended.
 //
-// The number at a line's end is that line's number in the published listing. The listing's one function stands here as
-// two that call each other: castRay follows a ray to the wall that it meets, gatherLight collects over the half-disk what
-// arrives there. as_printed.h keeps the defects, each behind a switch.
+// The number at a line's end is that line's number in the published listing. The listing's one function
+// stands here as two that call each other: castRay follows a ray to the wall that it meets, gatherLight
+// collects over the half-disk what arrives there. as_printed.h keeps the defects, each behind a switch.
 #pragma once
 
 #include "tracing.h"
 
 namespace halfdisk {
 
+using std::uint32_t;
+
 template <class Observer = NoObserver>
 struct CastRay : Tracing<Observer> {
-    using Tracing<Observer>::scene, Tracing<Observer>::settings, Tracing<Observer>::see, Tracing<Observer>::rays;
+    using Tracing<Observer>::scene, Tracing<Observer>::settings, Tracing<Observer>::see,
+        Tracing<Observer>::rays;
 
-    /// Light back along `ray`. `depth` is 0 at the point shaded first; past maxDepth a wall emits but does not scatter.
-    Radiance castRay(const Ray& ray, std::uint32_t depth, const Rng& rng);
+    /// Light back along `ray`. `depth` is 0 at the point shaded first; past maxDepth a wall emits but does
+    /// not scatter.
+    Radiance castRay(const Ray& ray, uint32_t depth, const Rng& rng);
 
     /// Light that arrives at P over the half-disk about N: the mean of the samples in `range`.
-    Irradiance gatherLight(const ShadedPoint& at, std::uint32_t depth, const Rng& rng, SampleRange range);
+    Irradiance gatherLight(const ShadedPoint& at, uint32_t depth, const Rng& rng, SampleRange range);
 
     /// 1 if nothing stands between P and the light, else 0.
     double shadowRay(const ShadedPoint& at, const LightSample& light);
@@ -25,11 +29,11 @@ struct CastRay : Tracing<Observer> {
 
 // [listing]
 template <class Observer>
-Radiance CastRay<Observer>::castRay(const Ray& ray, std::uint32_t depth, const Rng& rng) {  // 001
+Radiance CastRay<Observer>::castRay(const Ray& ray, uint32_t depth, const Rng& rng) {  // 001
     const Hit hit = scene.closestHit(ray);
     see.meet(ray, hit, depth, ++rays);
-    if (!hit) return {scene.environment()};         // a miss returns the environment
-    if (!isLitSide(scene, hit)) return {};          // the back of a wall is black
+    if (!hit) return {scene.environment()};  // a miss returns the environment
+    if (!isLitSide(scene, hit)) return {};   // the back of a wall is black
     const Rgb emitted = emittedTo(scene, ray, hit, settings.emitters);
     if (depth > settings.maxDepth) return {emitted};  // 002
     const ShadedPoint at = shadedPointAt(scene, hit);
@@ -38,30 +42,32 @@ Radiance CastRay<Observer>::castRay(const Ray& ray, std::uint32_t depth, const R
 }  // 034
 
 template <class Observer>
-Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, std::uint32_t depth, const Rng& rng, SampleRange range) {
-    const Vec2 P = at.P, N = at.N;  // 003
+Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, uint32_t depth, const Rng& rng,
+                                          SampleRange range) {
+    const Vec2 P = at.P, N = at.N;                                                 // 003
     Rgb directLightContrib{0.0}, metLightContrib{0.0}, indirectLightContrib{0.0};  // 004
     see.enter(at, depth);
     // compute direct illumination
-    for (std::uint32_t i = 0; i < lightCount(scene); ++i) {  // 006
+    for (uint32_t i = 0; i < lightCount(scene); ++i) {  // 006
         const SampleRange draws = drawsOf(scene, i, settings.emitters, range);
-        for (std::uint32_t n = draws.first; n < draws.last; ++n) {
-            const LightSample light = sampleLight(scene, i, P, drawUnit(settings, rng, n, 1 + i, draws.N));
-            const Vec2 L = light.L;  // 007
-            const Rgb L_i = light.L_i * weightOf(light, settings, glm::dot(N, L));  // 008
+        for (uint32_t n = draws.first; n < draws.last; ++n) {
+            const double u = drawUnit(settings, rng, n, 1 + i, draws.N);
+            const LightSample light = sampleLight(scene, i, P, u);
+            const Vec2 L = light.L;                                            // 007
+            const Rgb L_i = light.L_i * weightOf(light, settings, dot(N, L));  // 008
             // we assume the surface at P is diffuse
             const double visible = shadowRay(at, light);
-            directLightContrib += visible * std::max(0.0, glm::dot(N, L)) * L_i / draws.size();  // 010
+            directLightContrib += visible * std::max(0.0, dot(N, L)) * L_i / draws.size();  // 010
             see.light(i, n, light, visible, directLightContrib);
         }
     }  // 011
     // compute indirect illumination
-    const Frame rotMat = frameFromNormal(N);  // 013
-    for (std::uint32_t n = range.first; n < range.last && see.keepGoing(); ++n) {  // 015
+    const Frame rotMat = frameFromNormal(N);                                  // 013
+    for (uint32_t n = range.first; n < range.last && see.keepGoing(); ++n) {  // 015
         // step 1: draw a random sample in the half-disk
         const auto [theta, pdfAngle] = drawHalfDisk(settings, rng, n, range.N);  // 017
-        const double cosTheta = std::cos(theta);  // 018
-        const double sinTheta = std::sin(theta);  // 019
+        const double cosTheta = std::cos(theta);                                 // 018
+        const double sinTheta = std::sin(theta);                                 // 019
         see.sample(n, theta, pdfAngle);
         // step 2: rotate the sample direction
         const Vec2 direction = rotMat.toWorld(cosTheta, sinTheta);  // 021
@@ -70,7 +76,8 @@ Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, std::uint32_t d
         // step 3: cast the ray into the scene
         const Radiance sampleColor = castRay(ray, depth + 1, rng.child(n));  // 024
         see.arrival(n, ray, sampleColor);
-        // steps 4 and 5: treat the returned colour as if it was a light; theta starts at the tangent, so N.L is its sine
+        // steps 4 and 5: treat the returned colour as if it was a light
+        // (theta starts at the tangent, so N.L is its sine)
         const double weight = sinTheta / pdfAngle;
         metLightContrib += sampleColor.emitted * weight;
         indirectLightContrib += sampleColor.scattered * weight;  // 027
@@ -88,7 +95,7 @@ Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, std::uint32_t d
 
 template <class Observer>
 double CastRay<Observer>::shadowRay(const ShadedPoint& at, const LightSample& light) {
-    if (glm::dot(at.N, light.L) <= 0.0 || light.L_i == Rgb(0.0)) return 0.0;  // nothing would be added
+    if (dot(at.N, light.L) <= 0.0 || light.L_i == Rgb(0.0)) return 0.0;  // nothing would be added
     ++rays;
     return scene.occluded(rayFrom(scene, at, light.L), light.distance, light.segment) ? 0.0 : 1.0;
 }

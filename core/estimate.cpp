@@ -24,8 +24,8 @@ struct Chunk {
 };
 
 template <class Observer>
-Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings, const EstimateOptions& options,
-             Observer& observer) {
+Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
+             const EstimateOptions& options, Observer& observer) {
     const std::uint32_t N = settings.samples;
     const std::uint64_t chunksPerRepeat = (N + kChunkSamples - 1) / kChunkSamples;
     const std::uint64_t repeatsPerChunk = std::max<std::uint64_t>(1, kChunkSamples / N);
@@ -36,8 +36,8 @@ Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& s
     const auto addSamples = [&](Chunk& chunk, std::uint64_t repeat, std::uint32_t first, std::uint32_t last) {
         Statistics mine;
         for (std::uint32_t n = first; n < last; ++n) {
-            const Irradiance E = gatherOnce(index, at, settings, options.firstRepeat + repeat, {n, n + 1, N}, observer,
-                                            chunk.rays);
+            const Irradiance E = gatherOnce(index, at, settings, options.firstRepeat + repeat, {n, n + 1, N},
+                                            observer, chunk.rays);
             mine.add(E.total());
             if (!isFinite(E.total())) continue;
             chunk.direct += E.direct;
@@ -52,11 +52,13 @@ Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& s
         if (chunksPerRepeat > 1) {
             const std::uint64_t part = c % chunksPerRepeat;
             const auto first = static_cast<std::uint32_t>(part * kChunkSamples);
-            addSamples(chunk, c / chunksPerRepeat, first, static_cast<std::uint32_t>(std::min<std::uint64_t>(first + kChunkSamples, N)));
+            addSamples(chunk, c / chunksPerRepeat, first,
+                       static_cast<std::uint32_t>(std::min<std::uint64_t>(first + kChunkSamples, N)));
             chunk.endsRepeat = part + 1 == chunksPerRepeat;
         } else {
             const std::uint64_t end = std::min((c + 1) * repeatsPerChunk, options.repeats);
-            for (std::uint64_t r = c * repeatsPerChunk; r < end; ++r) chunk.repeats.add(addSamples(chunk, r, 0, N));
+            for (std::uint64_t r = c * repeatsPerChunk; r < end; ++r)
+                chunk.repeats.add(addSamples(chunk, r, 0, N));
         }
         return chunk;
     };
@@ -123,8 +125,10 @@ Estimate estimateIrradiance(const SegmentIndex& index, const ShadedPoint& at, co
 double raysPerRepeat(const SegmentIndex& index, const Settings& settings) {
     const double N = settings.samples;
     const double deltas = static_cast<double>(index.scene().lights.size());
-    const double drawn = settings.emitters == Emitters::hit ? 0.0 : static_cast<double>(index.emitters().size());
-    double gathers = N, rays = 0.0;  // at depth 0 each sample is gathered by itself and asks the delta lights again
+    const double drawn =
+        settings.emitters == Emitters::hit ? 0.0 : static_cast<double>(index.emitters().size());
+    double gathers = N,
+           rays = 0.0;  // at depth 0 each sample is gathered by itself and asks the delta lights again
     for (std::uint32_t depth = 0; depth <= settings.maxDepth; ++depth) {
         const double samplesEach = depth == 0 ? 1.0 : N;
         rays += gathers * (samplesEach * (1.0 + drawn) + deltas);
@@ -143,8 +147,10 @@ std::optional<ShadedPoint> shadedPointAt(const SegmentIndex& index, Vec2 P, std:
     const Vec2 N = glm::normalize(*normal);
     constexpr double kSameDirection = 1e-9;
     if (glm::length(N - onWall.N) < kSameDirection) return onWall;
-    if (glm::length(N + onWall.N) < kSameDirection) return ShadedPoint{onWall.P, -onWall.N, onWall.segment, onWall.albedo};
-    // A tilted half-disk reaches below the wall: stand clearly on its side and let the wall block what is below.
+    if (glm::length(N + onWall.N) < kSameDirection)
+        return ShadedPoint{onWall.P, -onWall.N, onWall.segment, onWall.albedo};
+    // A tilted half-disk reaches below the wall: stand clearly on its side and let the wall block what is
+    // below.
     const double side = glm::dot(N, onWall.N) < 0.0 ? -1.0 : 1.0;
     return ShadedPoint{onWall.P + onWall.N * (side * index.originShift(wall->first)), N};
 }
@@ -153,7 +159,8 @@ ShadedPoint shadedPointOn(const SegmentIndex& index, std::uint32_t segment, doub
     return {index.pointOn(segment, t), index.normal(segment), segment, albedoOf(index, segment)};
 }
 
-Rgb outgoingRadiance(const SegmentIndex& index, const ShadedPoint& at, const Rgb& irradiance, DefectSet defects) {
+Rgb outgoingRadiance(const SegmentIndex& index, const ShadedPoint& at, const Rgb& irradiance,
+                     DefectSet defects) {
     const Segment& wall = index.scene().segments[at.segment];
     return wall.emission + irradiance * at.albedo / (defects.has(Defect::albedo) ? kPi : 2.0);
 }

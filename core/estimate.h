@@ -1,4 +1,5 @@
-// What is the light at a point, how sure are we, and what did it cost? Many samples of castRay, on any number of threads.
+// What is the light at a point, how sure are we, and what did it cost? Many samples of castRay, on any number
+// of threads.
 #pragma once
 
 #include <atomic>
@@ -12,10 +13,10 @@ namespace halfdisk {
 
 /// Result of R repeats of N samples each.
 struct Estimate {
-    Statistics repeats;   ///< of the R means of E, W / m
-    Statistics samples;   ///< of every first-bounce sample's own estimate of E
-    Rgb direct{0.0};      ///< mean, light that was never scattered
-    Rgb indirect{0.0};    ///< mean, light that was
+    Statistics repeats;  ///< of the R means of E, W / m
+    Statistics samples;  ///< of every first-bounce sample's own estimate of E
+    Rgb direct{0.0};     ///< mean, light that was never scattered
+    Rgb indirect{0.0};   ///< mean, light that was
     std::uint64_t rays = 0;
 
     Rgb irradiance() const { return samples.mean; }
@@ -29,15 +30,15 @@ struct EstimateOptions {
     const std::atomic<bool>* cancelled = nullptr;  ///< may be set at any time: the result is then incomplete
 };
 
-/// Irradiance at `at` by castRay, or by its as-printed twin if any defect is switched on. The same bits for any number of
-/// threads: chunks of a fixed size are added up in their order.
+/// Irradiance at `at` by castRay, or by its as-printed twin if any defect is switched on. The same bits for
+/// any number of threads: chunks of a fixed size are added up in their order.
 Estimate estimateIrradiance(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
                             const EstimateOptions& options = {});
 
 /// One pass over the samples in `range` of one repeat, seen by `observer`. Adds the rays cast to `rays`.
 template <class Observer>
-Irradiance gatherOnce(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings, std::uint64_t repeat,
-                      SampleRange range, Observer& observer, std::uint64_t& rays) {
+Irradiance gatherOnce(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
+                      std::uint64_t repeat, SampleRange range, Observer& observer, std::uint64_t& rays) {
     const auto gather = [&](auto tracer) {
         const Irradiance gathered = tracer.gatherLight(at, 0, Rng(settings.seed, repeat), range);
         rays += tracer.rays;
@@ -47,7 +48,8 @@ Irradiance gatherOnce(const SegmentIndex& index, const ShadedPoint& at, const Se
     return gather(AsPrinted<Observer>{{index, settings, observer}});
 }
 
-/// Upper bound on the rays of one repeat: every ray meets a wall and every light is asked. Infinity past 1e300.
+/// Upper bound on the rays of one repeat: every ray meets a wall and every light is asked. Infinity past
+/// 1e300.
 double raysPerRepeat(const SegmentIndex& index, const Settings& settings);
 
 /// The point of a probe: `normal` empty takes the front of the wall that P lies on.
@@ -58,6 +60,7 @@ std::optional<ShadedPoint> shadedPointAt(const SegmentIndex& index, Vec2 P, std:
 ShadedPoint shadedPointOn(const SegmentIndex& index, std::uint32_t segment, double t);
 
 /// Radiance that a wall sends out when E arrives: emission + albedo / 2 E (as printed: albedo / pi).
-Rgb outgoingRadiance(const SegmentIndex& index, const ShadedPoint& at, const Rgb& irradiance, DefectSet defects = {});
+Rgb outgoingRadiance(const SegmentIndex& index, const ShadedPoint& at, const Rgb& irradiance,
+                     DefectSet defects = {});
 
 }  // namespace halfdisk

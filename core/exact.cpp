@@ -10,7 +10,9 @@ namespace {
 // Arcs narrower than this (rad) hold less light than rounding takes from their neighbours.
 constexpr double kNarrowest = 1e-15;
 
-bool seesOver(const ShadedPoint& at, Vec2 direction) { return glm::dot(at.N, direction) > 0.0; }
+bool seesOver(const ShadedPoint& at, Vec2 direction) {
+    return glm::dot(at.N, direction) > 0.0;
+}
 
 double thetaOf(const ShadedPoint& at, Vec2 direction) {
     return std::atan2(glm::dot(at.N, direction), at.N.y * direction.x - at.N.x * direction.y);
@@ -98,17 +100,21 @@ Rgb deltaIrradiance(const SegmentIndex& index, const ShadedPoint& at) {
 
 Rgb directIrradiance(const Visibility& visibility, const ShadedPoint& at) {
     Rgb sum = deltaIrradiance(visibility.index(), at);
-    for (const VisibleArc& arc : visibility.arcs(at)) sum += seenRadiance(visibility, arc.hit, 0) * cosineMeasure(arc);
+    for (const VisibleArc& arc : visibility.arcs(at))
+        sum += seenRadiance(visibility, arc.hit, 0) * cosineMeasure(arc);
     return sum;
 }
 
 Rgb arrivingRadiance(const Visibility& visibility, const ShadedPoint& at, double theta, int depth) {
     const Vec2 direction = frameFromNormal(at.N).toWorld(std::cos(theta), std::sin(theta));
-    return seenRadiance(visibility, visibility.index().closestHit(rayFrom(visibility.index(), at, direction)), depth);
+    return seenRadiance(visibility, visibility.index().closestHit(rayFrom(visibility.index(), at, direction)),
+                        depth);
 }
 
-ExactEstimate halfDiskEstimate(const Visibility& visibility, const ShadedPoint& at, Sampler sampler, int depth) {
-    // f = L cosine is what is integrated; f / pdf is a sample's value, and E[(f / pdf)^2] = integral of f^2 / pdf.
+ExactEstimate halfDiskEstimate(const Visibility& visibility, const ShadedPoint& at, Sampler sampler,
+                               int depth) {
+    // f = L cosine is what is integrated; f / pdf is a sample's value, and E[(f / pdf)^2] = integral of f^2 /
+    // pdf.
     const auto moments = [&](double theta) {
         const double cosine = std::sin(theta);
         const Rgb f = arrivingRadiance(visibility, at, theta, depth) * cosine;

@@ -7,24 +7,26 @@
 
 namespace halfdisk {
 
-/// Irradiance (W/m) at P, normal N, from an unoccluded Lambertian segment of radiance Le: the difference of sines
-/// Le |sin beta - sin alpha| of its ends' angles from N, clipped to the half-disk. 0 behind a one-sided segment.
+/// Irradiance (W/m) at P, normal N, from an unoccluded Lambertian segment of radiance Le: the difference of
+/// sines Le |sin beta - sin alpha| of its ends' angles from N, clipped to the half-disk. 0 behind a one-sided
+/// segment.
 Rgb segmentIrradiance(Vec2 P, Vec2 N, const Segment& segment);
 
-/// Radiance (W/(m rad)) everywhere in a closed room whose walls all emit Le and reflect `albedo`, with light scattered at
-/// most `depth` times: Le (1 - albedo^(depth+1)) / (1 - albedo). kAnyDepth: without limit.
+/// Radiance (W/(m rad)) everywhere in a closed room whose walls all emit Le and reflect `albedo`, with light
+/// scattered at most `depth` times: Le (1 - albedo^(depth+1)) / (1 - albedo). kAnyDepth: without limit.
 inline constexpr int kAnyDepth = -1;
 double closedRoomRadiance(double Le, double albedo, int depth);
 
 /// A stretch of the half-disk in which one thing is seen.
 struct VisibleArc {
-    double from, to;         ///< rad from the tangent, 0 <= from < to <= pi
-    Hit hit;                 ///< of the ray through its middle; none: the environment
+    double from, to;  ///< rad from the tangent, 0 <= from < to <= pi
+    Hit hit;          ///< of the ray through its middle; none: the environment
 };
 
-/// Where visibility can change: the ends of walls and the points where walls cross. Keeps a pointer to the index.
+/// Where visibility can change: the ends of walls and the points where walls cross. Keeps a pointer to the
+/// index.
 class Visibility {
-   public:
+ public:
     /// O(n^2) pairs of n walls.
     explicit Visibility(const SegmentIndex& index);
 
@@ -33,19 +35,20 @@ class Visibility {
 
     const SegmentIndex& index() const { return *index_; }
 
-   private:
+ private:
     const SegmentIndex* index_;
     std::vector<Vec2> corners_;
 };
 
-/// Irradiance (W/m) that was never scattered. Exact with occlusion: delta lights by their shadow rays, emitting walls and the
-/// environment as sums of L (cos from - cos to) over the visible arcs.
+/// Irradiance (W/m) that was never scattered. Exact with occlusion: delta lights by their shadow rays,
+/// emitting walls and the environment as sums of L (cos from - cos to) over the visible arcs.
 Rgb directIrradiance(const Visibility& visibility, const ShadedPoint& at);
 
 /// Of which the delta lights' part alone.
 Rgb deltaIrradiance(const SegmentIndex& index, const ShadedPoint& at);
 
-/// Radiance that arrives at `at` along theta (rad from the tangent), scattered at most `depth` times on its way: 0 or 1.
+/// Radiance that arrives at `at` along theta (rad from the tangent), scattered at most `depth` times on its
+/// way: 0 or 1.
 Rgb arrivingRadiance(const Visibility& visibility, const ShadedPoint& at, double theta, int depth);
 
 /// Expectation of E (W/m), and variance of the estimate of it by one sample.
@@ -54,9 +57,11 @@ struct ExactEstimate {
     Rgb variance{0.0};
 };
 
-/// One half-disk sample (uniform or cosine, emitters = hit) of the light that was scattered at most `depth` times (0 or 1)
-/// before it arrives; delta lights at P itself are added to the mean. Where depth is 1 the radiance of the walls is taken as
-/// exact, so the variance is that of the first bounce alone. Adaptive quadrature, relative error about 1e-9.
-ExactEstimate halfDiskEstimate(const Visibility& visibility, const ShadedPoint& at, Sampler sampler, int depth);
+/// One half-disk sample (uniform or cosine, emitters = hit) of the light that was scattered at most `depth`
+/// times (0 or 1) before it arrives; delta lights at P itself are added to the mean. Where depth is 1 the
+/// radiance of the walls is taken as exact, so the variance is that of the first bounce alone. Adaptive
+/// quadrature, relative error about 1e-9.
+ExactEstimate halfDiskEstimate(const Visibility& visibility, const ShadedPoint& at, Sampler sampler,
+                               int depth);
 
 }  // namespace halfdisk

@@ -7,17 +7,19 @@
 namespace halfdisk {
 namespace {
 
-// Rounding of a point p + u (q - p), with unit roundoff h = epsilon / 2 and m the largest coordinate: the edge is off by
-// h |e|, the product by h |e|, the sum by h m, and |e| <= 2 m: 5 h m a component, 3.6 epsilon m as a vector. Adding the
-// shift along the normal rounds once more, 0.8 epsilon m. So 8 epsilon m puts the origin on the front side for sure, and
-// no more than 13 epsilon m from the wall.
+// Rounding of a point p + u (q - p), with unit roundoff h = epsilon / 2 and m the largest coordinate: the
+// edge is off by h |e|, the product by h |e|, the sum by h m, and |e| <= 2 m: 5 h m a component, 3.6 epsilon
+// m as a vector. Adding the shift along the normal rounds once more, 0.8 epsilon m. So 8 epsilon m puts the
+// origin on the front side for sure, and no more than 13 epsilon m from the wall.
 constexpr double kShiftRoundings = 8.0;
 
-// A point is kept this many shifts away from the segment's ends: then the shifted origin lies inside every corner of more
-// than 1/64 rad (0.9 degrees) between two walls, where the other wall blocks it as it should.
+// A point is kept this many shifts away from the segment's ends: then the shifted origin lies inside every
+// corner of more than 1/64 rad (0.9 degrees) between two walls, where the other wall blocks it as it should.
 constexpr double kEndShifts = 64.0;
 
-double sideOf(Vec2 point, const Ray& ray) { return cross(ray.direction, point - ray.origin); }
+double sideOf(Vec2 point, const Ray& ray) {
+    return cross(ray.direction, point - ray.origin);
+}
 
 void check(const Scene& scene, std::size_t i) {
     const Segment& s = scene.segments[i];
@@ -40,7 +42,8 @@ SegmentIndex::SegmentIndex(const Scene& scene) : scene_(&scene) {
         const bool flipped = s.b.x < s.a.x || (s.b.x == s.a.x && s.b.y < s.a.y);
         const double largest = std::max({std::abs(s.a.x), std::abs(s.a.y), std::abs(s.b.x), std::abs(s.b.y)});
         const double shift = kShiftRoundings * std::numeric_limits<double>::epsilon() * largest;
-        edges_.push_back({flipped ? s.b : s.a, flipped ? s.a : s.b, frontNormal(s), glm::length(s.b - s.a), shift, flipped});
+        edges_.push_back({flipped ? s.b : s.a, flipped ? s.a : s.b, frontNormal(s), glm::length(s.b - s.a),
+                          shift, flipped});
         if (isEmitter(s)) emitters_.push_back(static_cast<std::uint32_t>(i));
     }
 }
@@ -51,7 +54,8 @@ Hit SegmentIndex::closestHit(const Ray& ray) const {
         const Edge& edge = edges_[i];
         const double sideP = sideOf(edge.p, ray), sideQ = sideOf(edge.q, ray);
         if ((sideP >= 0.0) == (sideQ >= 0.0) || i == ray.skip) continue;
-        // The signs differ, so the difference is not 0; it equals cross(direction, q - p) and cannot disagree with them.
+        // The signs differ, so the difference is not 0; it equals cross(direction, q - p) and cannot disagree
+        // with them.
         const double t = cross(edge.p - ray.origin, edge.q - edge.p) / (sideQ - sideP);
         if (!(t > 0.0) || t > closest.t) continue;
         // For a ray that comes from the front of a->b, b lies on its left: the positive side.

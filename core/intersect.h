@@ -1,8 +1,9 @@
-// Which wall does a ray meet first, and is the way to a light free? Brute force over all segments: simple and clear.
+// Which wall does a ray meet first, and is the way to a light free? Brute force over all segments: simple and
+// clear.
 //
-// The test is the sign of cross(d, p - o) at both endpoints p: the ray's line separates them iff the signs differ. Zero
-// counts as positive, and neighbours share their vertex bit for bit, so of two neighbours exactly one is hit: nothing
-// leaks between them and nothing is hit twice.
+// The test is the sign of cross(d, p - o) at both endpoints p: the ray's line separates them iff the signs
+// differ. Zero counts as positive, and neighbours share their vertex bit for bit, so of two neighbours
+// exactly one is hit: nothing leaks between them and nothing is hit twice.
 #pragma once
 
 #include <cstdint>
@@ -34,8 +35,9 @@ struct Hit {
 
 /// A scene made ready for rays. Keeps a pointer to the scene, which must outlive it and stay as it is.
 class SegmentIndex {
-   public:
-    /// Throws std::invalid_argument for a zero-length or non-finite segment or a material that does not exist.
+ public:
+    /// Throws std::invalid_argument for a zero-length or non-finite segment or a material that does not
+    /// exist.
     explicit SegmentIndex(const Scene& scene);
 
     /// First wall at t > 0. Of coincident walls the one that faces the ray is met, then the lower index.
@@ -46,17 +48,20 @@ class SegmentIndex {
 
     const Scene& scene() const { return *scene_; }
     const Rgb& environment() const { return scene_->environment; }
-    const std::vector<std::uint32_t>& emitters() const { return emitters_; }  ///< segments that emit, ascending
+    const std::vector<std::uint32_t>& emitters() const {
+        return emitters_;
+    }  ///< segments that emit, ascending
     Vec2 normal(std::uint32_t segment) const { return edges_[segment].normal; }
     double length(std::uint32_t segment) const { return edges_[segment].length; }
 
-    /// Point at u of a segment, kept away from both ends by `endMargin` so that it stays inside sharp corners too.
+    /// Point at u of a segment, kept away from both ends by `endMargin` so that it stays inside sharp corners
+    /// too.
     Vec2 pointOn(std::uint32_t segment, double u) const;
 
     /// Bound (m) on how far a rounded point of this segment can lie from its line; twice over.
     double originShift(std::uint32_t segment) const { return edges_[segment].originShift; }
 
-   private:
+ private:
     struct Edge {
         Vec2 p, q;           // the endpoints in lexicographic order: coincident walls give bit-equal t
         Vec2 normal;         // of the front side

@@ -43,7 +43,9 @@ std::uint32_t lightCount(const SegmentIndex& index) {
     return static_cast<std::uint32_t>(index.scene().lights.size() + index.emitters().size());
 }
 
-bool isDelta(const SegmentIndex& index, std::uint32_t light) { return light < index.scene().lights.size(); }
+bool isDelta(const SegmentIndex& index, std::uint32_t light) {
+    return light < index.scene().lights.size();
+}
 
 bool isPoint(const SegmentIndex& index, std::uint32_t light) {
     return isDelta(index, light) && std::holds_alternative<PointLight>(index.scene().lights[light]);

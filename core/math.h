@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/exponential.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -16,13 +17,17 @@ using Rgb = glm::dvec3;   ///< one value per colour channel: radiance, irradianc
 inline constexpr double kPi = std::numbers::pi;
 
 /// z of the 3D cross product: > 0 when `v` lies to the left of `u`.
-constexpr double cross(Vec2 u, Vec2 v) { return u.x * v.y - u.y * v.x; }
+constexpr double cross(Vec2 u, Vec2 v) {
+    return u.x * v.y - u.y * v.x;
+}
 
 /// `v` turned by +90 degrees: perp(b - a) points to the front (left) side of a segment a->b.
-constexpr Vec2 perp(Vec2 v) { return {-v.y, v.x}; }
+constexpr Vec2 perp(Vec2 v) {
+    return {-v.y, v.x};
+}
 
-/// The 2x2 frame of a half-disk: columns are its `right` and its `up`, so a local (x, y) lands on x right + y up.
-/// Published lesson, step 2; the matrix printed there mirrors the normal (see as_printed.h).
+/// The 2x2 frame of a half-disk: columns are its `right` and its `up`, so a local (x, y) lands on x right + y
+/// up. Published lesson, step 2; the matrix printed there mirrors the normal (see as_printed.h).
 struct Frame {
     double rotMat[2][2];
 
@@ -32,9 +37,15 @@ struct Frame {
 };
 
 /// Frame whose up is the unit normal N and whose right is (N.y, -N.x).
-constexpr Frame frameFromNormal(Vec2 N) { return {{{N.y, N.x}, {-N.x, N.y}}}; }
+constexpr Frame frameFromNormal(Vec2 N) {
+    return {{{N.y, N.x}, {-N.x, N.y}}};
+}
 
-inline bool isFinite(Vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
-inline bool isFinite(const Rgb& c) { return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z); }
+inline bool isFinite(Vec2 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
+inline bool isFinite(const Rgb& c) {
+    return std::isfinite(c.x) && std::isfinite(c.y) && std::isfinite(c.z);
+}
 
 }  // namespace halfdisk

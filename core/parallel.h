@@ -11,11 +11,12 @@
 
 namespace halfdisk {
 
-/// Calls `work(c)` for c = 0 ... chunks - 1 on `threads` threads and `merge(result)` for each in ascending order of c, one at
-/// a time. Stops early, leaving the later chunks out, once `cancelled` (may be null) is set. Neither call may throw.
+/// Calls `work(c)` for c = 0 ... chunks - 1 on `threads` threads and `merge(result)` for each in ascending
+/// order of c, one at a time. Stops early, leaving the later chunks out, once `cancelled` (may be null) is
+/// set. Neither call may throw.
 template <class Work, class Merge>
-void forChunksInOrder(std::uint64_t chunks, unsigned threads, const std::atomic<bool>* cancelled, const Work& work,
-                      const Merge& merge) {
+void forChunksInOrder(std::uint64_t chunks, unsigned threads, const std::atomic<bool>* cancelled,
+                      const Work& work, const Merge& merge) {
     std::atomic<std::uint64_t> next{0};
     std::uint64_t merged = 0;
     std::map<std::uint64_t, decltype(work(std::uint64_t{}))> waiting;  // done, but an earlier chunk is not

@@ -4,15 +4,23 @@ namespace halfdisk {
 
 int listingLine(EventKind kind) {
     switch (kind) {
-        case EventKind::enter: return 3;
-        case EventKind::light: return 10;
-        case EventKind::sample: return 17;
-        case EventKind::direction: return 21;
+        case EventKind::enter:
+            return 3;
+        case EventKind::light:
+            return 10;
+        case EventKind::sample:
+            return 17;
+        case EventKind::direction:
+            return 21;
         case EventKind::meet:
-        case EventKind::arrival: return 24;
-        case EventKind::accumulate: return 27;
-        case EventKind::average: return 30;
-        case EventKind::leave: return 33;
+        case EventKind::arrival:
+            return 24;
+        case EventKind::accumulate:
+            return 27;
+        case EventKind::average:
+            return 30;
+        case EventKind::leave:
+            return 33;
     }
     return 0;
 }
@@ -63,7 +71,8 @@ void Recorder::enter(const ShadedPoint& at, std::uint32_t depth) {
     append(EventKind::enter).segment = at.segment;
 }
 
-void Recorder::light(std::uint32_t light, std::uint32_t n, const LightSample& sample, double visible, const Rgb& sum) {
+void Recorder::light(std::uint32_t light, std::uint32_t n, const LightSample& sample, double visible,
+                     const Rgb& sum) {
     if (omitted()) return;
     Event& event = append(EventKind::light);
     event.light = light;
@@ -73,8 +82,9 @@ void Recorder::light(std::uint32_t light, std::uint32_t n, const LightSample& sa
     event.missed = std::isinf(sample.distance);
     event.direction = sample.L;
     event.to = event.from + sample.L * (event.missed ? 1.0 : sample.distance);
-    event.value = sample.L_i * visible;
+    event.value = sum - open_.back().lightSum;
     event.sum = sum;
+    open_.back().lightSum = sum;
 }
 
 void Recorder::sample(std::uint32_t n, double theta, double pdfAngle) {

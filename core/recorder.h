@@ -1,4 +1,5 @@
-// What did castRay do, step by step? The observer that writes everything down, to be read forwards and backwards.
+// What did castRay do, step by step? The observer that writes everything down, to be read forwards and
+// backwards.
 #pragma once
 
 #include <atomic>
@@ -10,7 +11,17 @@
 namespace halfdisk {
 
 /// What happened, in the order of one pass through gatherLight.
-enum class EventKind : std::uint8_t { meet, enter, light, sample, direction, arrival, accumulate, average, leave };
+enum class EventKind : std::uint8_t {
+    meet,
+    enter,
+    light,
+    sample,
+    direction,
+    arrival,
+    accumulate,
+    average,
+    leave
+};
 
 /// One step of the recursion. Fields that a kind does not speak of keep their defaults.
 struct Event {
@@ -26,8 +37,8 @@ struct Event {
     bool missed = false;                 ///< the ray met no wall: `to` lies one direction's length away
     Vec2 from{0.0}, to{0.0};             ///< ends of the ray, m
     Vec2 direction{0.0};                 ///< unit
-    Rgb value{0.0};                      ///< what came back, was added, or is returned
-    Rgb sum{0.0};                        ///< running sum after this step
+    Rgb value{0.0};  ///< what came back, was added, or is returned; of a light: its share of the sum
+    Rgb sum{0.0};    ///< running sum after this step
 };
 
 inline constexpr std::uint32_t kNoCall = 0xFFFFFFFF;
@@ -46,7 +57,8 @@ struct Record {
     std::vector<Event> events;
     std::vector<Call> calls;
     std::uint64_t rays = 0;
-    bool truncated = false;  ///< deeper steps were left out to stay within the limit; those at depth 0 are all here
+    bool truncated =
+        false;  ///< deeper steps were left out to stay within the limit; those at depth 0 are all here
 };
 
 /// The line of the published listing that a step belongs to.
@@ -54,14 +66,15 @@ int listingLine(EventKind kind);
 
 /// Keeps at most about `limit` events below depth 0, and all of depth 0. `cancelled` may be null.
 class Recorder {
-   public:
+ public:
     explicit Recorder(std::size_t limit = 200'000, const std::atomic<bool>* cancelled = nullptr)
         : limit_(limit), cancelled_(cancelled) {}
 
     bool keepGoing() const { return !cancelled_ || !cancelled_->load(std::memory_order_relaxed); }
     void meet(const Ray& ray, const Hit& hit, std::uint32_t depth, std::uint64_t rays);
     void enter(const ShadedPoint& at, std::uint32_t depth);
-    void light(std::uint32_t light, std::uint32_t n, const LightSample& sample, double visible, const Rgb& sum);
+    void light(std::uint32_t light, std::uint32_t n, const LightSample& sample, double visible,
+               const Rgb& sum);
     void sample(std::uint32_t n, double theta, double pdfAngle);
     void direction(std::uint32_t n, const Ray& ray);
     void arrival(std::uint32_t n, const Ray& ray, const Radiance& sampleColor);
@@ -71,13 +84,14 @@ class Recorder {
 
     Record take() { return std::move(record_); }
 
-   private:
+ private:
     struct Frame {
         std::uint32_t call;  // kOmitted: this half-disk is left out
         std::uint32_t n = 0;
         std::uint32_t segment = kNoSegment;
         Vec2 to{0.0};
         bool missed = true;
+        Rgb lightSum{0.0};
     };
     bool omitted() const { return open_.empty() || open_.back().call == kOmitted; }
     Event& append(EventKind kind);

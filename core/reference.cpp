@@ -66,6 +66,19 @@ Rgb Reference::irradiance(const ShadedPoint& at, unsigned depth) const {
     return sum;
 }
 
+Rgb Reference::radiance(const ShadedPoint& at, double theta, unsigned depth) const {
+    Rgb L = arrivingRadiance(visibility_, at, theta, depth > 0 ? 1 : 0);
+    if (depth < 2) return L;
+    const SegmentIndex& index = visibility_.index();
+    const Vec2 direction = frameFromNormal(at.N).toWorld(std::cos(theta), std::sin(theta));
+    const Hit hit = index.closestHit(rayFrom(index, at, direction));
+    if (!hit || !isLitSide(index, hit)) return L;
+    const Rgb albedo = shadedPointAt(index, hit).albedo;
+    for (unsigned scatterings = 1; scatterings < depth; ++scatterings)
+        L += albedo / 2.0 * irradianceAt(scatterings, hit);
+    return L;
+}
+
 Rgb Reference::arrivingAfter(unsigned scatterings, const ShadedPoint& at) const {
     const SegmentIndex& index = visibility_.index();
     const Frame frame = frameFromNormal(at.N);
@@ -74,7 +87,8 @@ Rgb Reference::arrivingAfter(unsigned scatterings, const ShadedPoint& at) const 
         if (!hit || !isLitSide(index, hit)) return Integrals<3>{};
         const ShadedPoint there = shadedPointAt(index, hit);
         if (there.albedo == Rgb(0.0)) return Integrals<3>{};
-        const Rgb E = scatterings == 1 ? directIrradiance(visibility_, there) : irradianceAt(scatterings - 1, hit);
+        const Rgb E =
+            scatterings == 1 ? directIrradiance(visibility_, there) : irradianceAt(scatterings - 1, hit);
         const Rgb f = there.albedo / 2.0 * E * std::sin(theta);
         return Integrals<3>{f.x, f.y, f.z};
     };

@@ -1,4 +1,5 @@
-// What should castRay converge to in a room without a closed form? The same integral, solved bounce by bounce by quadrature.
+// What should castRay converge to in a room without a closed form? The same integral, solved bounce by bounce
+// by quadrature.
 #pragma once
 
 #include <atomic>
@@ -7,16 +8,18 @@
 
 namespace halfdisk {
 
-/// Irradiance at any depth in a diffuse scene of few walls, by the Nystrom method: the light that arrives after exactly k
-/// scatterings is computed at Gauss points along every wall from that after k - 1, which is interpolated between them.
-/// Direct light is never interpolated, so shadow edges stay sharp. Atkinson 1997, "The Numerical Solution of Integral Equations
-/// of the Second Kind", chapter 4. Relative error in rooms: 1e-8 at depth 1, below 1e-3 beyond, where kinks are interpolated.
+/// Irradiance at any depth in a diffuse scene of few walls, by the Nystrom method: the light that arrives
+/// after exactly k scatterings is computed at Gauss points along every wall from that after k - 1, which is
+/// interpolated between them. Direct light is never interpolated, so shadow edges stay sharp. Atkinson 1997,
+/// "The Numerical Solution of Integral Equations of the Second Kind", chapter 4. Relative error in rooms:
+/// 1e-8 at depth 1, below 1e-3 beyond, where kinks are interpolated.
 class Reference {
-   public:
+ public:
     static constexpr std::size_t kMostWalls = 200;
 
-    /// Prepares depths 0 ... maxDepth. The work grows with maxDepth, and with the cube of the walls; `cancelled` (may be null)
-    /// ends it early, leaving ready() false. Throws std::invalid_argument above kMostWalls.
+    /// Prepares depths 0 ... maxDepth. The work grows with maxDepth, and with the cube of the walls;
+    /// `cancelled` (may be null) ends it early, leaving ready() false. Throws std::invalid_argument above
+    /// kMostWalls.
     Reference(const SegmentIndex& index, unsigned maxDepth, const std::atomic<bool>* cancelled = nullptr);
 
     bool ready() const { return ready_; }
@@ -25,7 +28,11 @@ class Reference {
     /// E (W/m) of light scattered at most `depth` <= maxDepth times before it arrives.
     Rgb irradiance(const ShadedPoint& at, unsigned depth) const;
 
-   private:
+    /// Radiance (W/(m rad)) that arrives at `at` along theta (rad from the tangent), scattered at most
+    /// `depth` times on its way.
+    Rgb radiance(const ShadedPoint& at, double theta, unsigned depth) const;
+
+ private:
     Rgb arrivingAfter(unsigned scatterings, const ShadedPoint& at) const;
     Rgb irradianceAt(unsigned scatterings, const Hit& hit) const;
     ShadedPoint node(std::size_t side, std::size_t k) const;
@@ -36,9 +43,10 @@ class Reference {
     };
 
     Visibility visibility_;
-    std::vector<Side> sides_;                // lit sides; a two-sided wall has two
-    std::vector<std::uint32_t> firstSide_;   // of each segment
-    std::vector<std::vector<Rgb>> bounces_;  // [k - 1][side * nodes + node]: E of light scattered exactly k times
+    std::vector<Side> sides_;               // lit sides; a two-sided wall has two
+    std::vector<std::uint32_t> firstSide_;  // of each segment
+    std::vector<std::vector<Rgb>>
+        bounces_;  // [k - 1][side * nodes + node]: E of light scattered exactly k times
     bool ready_ = false;
 };
 

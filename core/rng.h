@@ -1,7 +1,8 @@
 // Where does a random number come from? From its address: (seed, node of the recursion, sample, dimension).
 //
-// Counter-based generation (Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3"): no state is carried from
-// one draw to the next, so the same seed gives the same bits in any order and on any number of threads.
+// Counter-based generation (Salmon et al. 2011, "Parallel random numbers: as easy as 1, 2, 3"): no state is
+// carried from one draw to the next, so the same seed gives the same bits in any order and on any number of
+// threads.
 #pragma once
 
 #include <Random123/philox.h>
@@ -12,7 +13,7 @@ namespace halfdisk {
 
 /// The random numbers of one node of the recursion tree. Copy it freely; it has no state.
 class Rng {
-   public:
+ public:
     /// Root node of one repeat of an experiment.
     Rng(std::uint64_t seed, std::uint64_t repeat) : seed_(seed), node_(mixed(repeat)) {}
 
@@ -23,7 +24,8 @@ class Rng {
         return below;
     }
 
-    /// Uniform in the open interval (0, 1): never an end, so that acos, log and 1/x stay finite. 52 random bits.
+    /// Uniform in the open interval (0, 1): never an end, so that acos, log and 1/x stay finite. 52 random
+    /// bits.
     double uniform(std::uint32_t sample, std::uint32_t dimension) const {
         r123::Philox4x32::ctr_type counter = {{low(node_), high(node_), sample, dimension / 2}};
         r123::Philox4x32::key_type key = {{low(seed_), high(seed_)}};
@@ -33,12 +35,12 @@ class Rng {
         return (static_cast<double>(bits >> 12) + 0.5) * 0x1p-52;
     }
 
-   private:
+ private:
     static std::uint32_t low(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
     static std::uint32_t high(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
 
-    // A bijection of 64 bits in which every input bit flips every output bit with chance one half (the finaliser of
-    // Steele et al. 2014, "Fast splittable pseudorandom number generators").
+    // A bijection of 64 bits in which every input bit flips every output bit with chance one half (the
+    // finaliser of Steele et al. 2014, "Fast splittable pseudorandom number generators").
     static std::uint64_t mixed(std::uint64_t x) {
         x += 0x9E3779B97F4A7C15u;
         x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;

@@ -1,8 +1,8 @@
 // How is a direction drawn over the half-disk, and how likely was it? Published lesson, step 1.
 //
-// As in the published listing, theta is measured from the tangent: 0 along the frame's right, pi/2 along the normal, pi
-// along its left. So the local direction is (cos theta, sin theta) and N.omega = sin theta. Every draw stands beside its
-// pdf, per radian.
+// As in the published listing, theta is measured from the tangent: 0 along the frame's right, pi/2 along the
+// normal, pi along its left. So the local direction is (cos theta, sin theta) and N.omega = sin theta. Every
+// draw stands beside its pdf, per radian.
 #pragma once
 
 #include <algorithm>
@@ -20,10 +20,15 @@ struct HalfDiskSample {
 };
 
 /// Every angle alike. u in (0, 1).
-inline HalfDiskSample sampleUniformHalfDisk(double u) { return {u * kPi, 1.0 / kPi}; }
-inline double pdfUniformHalfDisk(double theta) { return theta >= 0.0 && theta <= kPi ? 1.0 / kPi : 0.0; }
+inline HalfDiskSample sampleUniformHalfDisk(double u) {
+    return {u * kPi, 1.0 / kPi};
+}
+inline double pdfUniformHalfDisk(double theta) {
+    return theta >= 0.0 && theta <= kPi ? 1.0 / kPi : 0.0;
+}
 
-/// In proportion to N.omega: the projection of the direction on the tangent is uniform (Malley's method in 2D).
+/// In proportion to N.omega: the projection of the direction on the tangent is uniform (Malley's method in
+/// 2D).
 inline HalfDiskSample sampleCosineHalfDisk(double u) {
     const double theta = std::acos(1.0 - 2.0 * u);
     return {theta, std::sin(theta) / 2.0};
@@ -40,9 +45,12 @@ inline HalfDiskSample sampleStratifiedHalfDisk(double u, std::uint32_t n, std::u
 /// Sample n of N by the chosen sampler.
 inline HalfDiskSample sampleHalfDisk(Sampler sampler, double u, std::uint32_t n, std::uint32_t N) {
     switch (sampler) {
-        case Sampler::uniform: return sampleUniformHalfDisk(u);
-        case Sampler::cosine: return sampleCosineHalfDisk(u);
-        case Sampler::stratified: return sampleStratifiedHalfDisk(u, n, N);
+        case Sampler::uniform:
+            return sampleUniformHalfDisk(u);
+        case Sampler::cosine:
+            return sampleCosineHalfDisk(u);
+        case Sampler::stratified:
+            return sampleStratifiedHalfDisk(u, n, N);
     }
     return {};
 }

@@ -30,8 +30,8 @@ struct Segment {
 
 /// Irradiance I cos / r at distance r: in flatland light falls off with 1 / r.
 struct PointLight {
-    Vec2 position{0.0};   ///< m
-    Rgb intensity{1.0};   ///< I, W / rad; its power is 2 pi I
+    Vec2 position{0.0};  ///< m
+    Rgb intensity{1.0};  ///< I, W / rad; its power is 2 pi I
     bool operator==(const PointLight&) const = default;
 };
 
@@ -55,8 +55,12 @@ struct Scene {
 };
 
 /// Unit normal on the front side of `s`: left of a->b.
-inline Vec2 frontNormal(const Segment& s) { return glm::normalize(perp(s.b - s.a)); }
+inline Vec2 frontNormal(const Segment& s) {
+    return glm::normalize(perp(s.b - s.a));
+}
 
-inline bool isEmitter(const Segment& s) { return s.emission != Rgb(0.0); }
+inline bool isEmitter(const Segment& s) {
+    return s.emission != Rgb(0.0);
+}
 
 }  // namespace halfdisk

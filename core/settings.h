@@ -1,4 +1,5 @@
-// What can be set for castRay? One struct, and one table per closed set: names, help, UI and file keys derive from them.
+// What can be set for castRay? One struct, and one table per closed set: names, help, UI and file keys derive
+// from them.
 #pragma once
 
 #include <array>
@@ -81,15 +82,16 @@ struct NumberInfo {
     std::uint64_t least, most, initial;
 };
 
-inline constexpr NumberInfo kSamplesInfo{"samples", "N", "half-disk samples per bounce", 1, 1'000'000'000, 16};
-inline constexpr NumberInfo kMaxDepthInfo{"depth", "maxDepth", "scatterings between the light and the half-disk",
-                                          0, 64, 1};
-inline constexpr NumberInfo kSeedInfo{"seed", "seed", "picks the random numbers; the same seed gives the same picture",
-                                      0, UINT64_MAX, 1};
+inline constexpr NumberInfo kSamplesInfo{"samples", "N",           "half-disk samples per bounce",
+                                         1,         1'000'000'000, 16};
+inline constexpr NumberInfo kMaxDepthInfo{
+    "depth", "maxDepth", "scatterings between the light and the half-disk", 0, 64, 1};
+inline constexpr NumberInfo kSeedInfo{
+    "seed", "seed", "picks the random numbers; the same seed gives the same picture", 0, UINT64_MAX, 1};
 
 /// All that castRay needs beside the scene.
 struct Settings {
-    std::uint32_t samples = kSamplesInfo.initial;   ///< N, per bounce
+    std::uint32_t samples = kSamplesInfo.initial;    ///< N, per bounce
     std::uint32_t maxDepth = kMaxDepthInfo.initial;  ///< E at this depth, L at one more
     std::uint64_t seed = kSeedInfo.initial;
     Sampler sampler = Sampler::uniform;

@@ -8,8 +8,8 @@
 
 namespace halfdisk {
 
-/// Welford's running mean and variance (1962); merging by Chan et al. (1979). A sample with a value that is not finite is
-/// counted and left out: it never turns silently into black.
+/// Welford's running mean and variance (1962); merging by Chan et al. (1979). A sample with a value that is
+/// not finite is counted and left out: it never turns silently into black.
 struct Statistics {
     std::uint64_t count = 0;      ///< finite samples
     std::uint64_t nonFinite = 0;  ///< samples with NaN or infinity in any channel
@@ -29,7 +29,8 @@ struct Statistics {
         squares += delta * (x - mean);
     }
 
-    /// As if the samples of `later` had been added after these. Not commutative to the bit: merge in a fixed order.
+    /// As if the samples of `later` had been added after these. Not commutative to the bit: merge in a fixed
+    /// order.
     void merge(const Statistics& later) {
         nonFinite += later.nonFinite;
         negative += later.negative;
@@ -45,7 +46,9 @@ struct Statistics {
     Rgb variance() const { return count > 1 ? squares / static_cast<double>(count - 1) : Rgb(0.0); }
 
     /// Standard error of the mean.
-    Rgb standardError() const { return count > 0 ? glm::sqrt(variance() / static_cast<double>(count)) : Rgb(0.0); }
+    Rgb standardError() const {
+        return count > 0 ? glm::sqrt(variance() / static_cast<double>(count)) : Rgb(0.0);
+    }
 };
 
 }  // namespace halfdisk

@@ -1,4 +1,5 @@
-// What do castRay and its as-printed twin share? The scene, the settings, the observer, and the two ways to ask for a wall.
+// What do castRay and its as-printed twin share? The scene, the settings, the observer, and the two ways to
+// ask for a wall.
 #pragma once
 
 #include <cmath>
@@ -28,13 +29,15 @@ struct Irradiance {
 
 /// The point that is being lit: P and N of the published listing.
 struct ShadedPoint {
-    Vec2 P;                              ///< m
-    Vec2 N;                              ///< unit; the half-disk lies about it
-    std::uint32_t segment = kNoSegment;  ///< the wall that P is on, if it is on one and N is that wall's normal
-    Rgb albedo{0.0};                     ///< of that wall
+    Vec2 P;  ///< m
+    Vec2 N;  ///< unit; the half-disk lies about it
+    std::uint32_t segment =
+        kNoSegment;   ///< the wall that P is on, if it is on one and N is that wall's normal
+    Rgb albedo{0.0};  ///< of that wall
 };
 
-/// Which of a half-disk's N samples to take: first ... last - 1. One at a time, a caller sees each sample's own value.
+/// Which of a half-disk's N samples to take: first ... last - 1. One at a time, a caller sees each sample's
+/// own value.
 struct SampleRange {
     std::uint32_t first, last, N;
 
@@ -65,8 +68,8 @@ struct Tracing {
     std::uint64_t rays = 0;  ///< cast so far, shadow rays included
 };
 
-/// A ray that leaves the front of P's wall: it cannot meet that straight wall again, and its origin is shifted to the front
-/// by more than P's rounding error, so no corner leaks.
+/// A ray that leaves the front of P's wall: it cannot meet that straight wall again, and its origin is
+/// shifted to the front by more than P's rounding error, so no corner leaks.
 inline Ray rayFrom(const SegmentIndex& index, const ShadedPoint& at, Vec2 direction, double pdfAngle = 0.0) {
     if (at.segment == kNoSegment) return {at.P, direction, kNoSegment, pdfAngle};
     return {at.P + at.N * index.originShift(at.segment), direction, at.segment, pdfAngle};
@@ -85,8 +88,9 @@ inline bool isLitSide(const SegmentIndex& index, const Hit& hit) {
     return hit.front || index.scene().segments[hit.segment].twoSided;
 }
 
-/// Radiance that the lit side of a wall sends back along a ray, times the share that this ray may count: an emitter's light
-/// is counted once in all (balance heuristic, Veach 1997, section 9.2.2). A ray that was aimed, not drawn, counts it all.
+/// Radiance that the lit side of a wall sends back along a ray, times the share that this ray may count: an
+/// emitter's light is counted once in all (balance heuristic, Veach 1997, section 9.2.2). A ray that was
+/// aimed, not drawn, counts it all.
 inline Rgb emittedTo(const SegmentIndex& index, const Ray& ray, const Hit& hit, Emitters emitters) {
     const Rgb& emission = index.scene().segments[hit.segment].emission;
     if (ray.pdfAngle == 0.0 || emitters == Emitters::hit || emission == Rgb(0.0)) return emission;
@@ -94,25 +98,29 @@ inline Rgb emittedTo(const SegmentIndex& index, const Ray& ray, const Hit& hit, 
     return emission * (ray.pdfAngle / (ray.pdfAngle + pdfLight(index, ray, hit)));
 }
 
-/// The other share: of a point drawn on an emitter that is seen at `cosine` = N.L. A delta light cannot be met by chance.
+/// The other share: of a point drawn on an emitter that is seen at `cosine` = N.L. A delta light cannot be
+/// met by chance.
 inline double weightOf(const LightSample& light, const Settings& settings, double cosine) {
     if (light.segment == kNoSegment || settings.emitters == Emitters::sample) return 1.0;
     return light.pdfAngle / (light.pdfAngle + pdfHalfDisk(settings.sampler, cosine));
 }
 
 /// How often a light is asked for a direction: once if it has only one, else once for each half-disk sample.
-inline SampleRange drawsOf(const SegmentIndex& index, std::uint32_t light, Emitters emitters, SampleRange range) {
+inline SampleRange drawsOf(const SegmentIndex& index, std::uint32_t light, Emitters emitters,
+                           SampleRange range) {
     if (isDelta(index, light)) return SampleRange::all(1);
     return emitters == Emitters::hit ? SampleRange{0, 0, 1} : range;
 }
 
 /// Sample n of N over the half-disk: dimension 0 of its random numbers.
-inline HalfDiskSample drawHalfDisk(const Settings& settings, const Rng& rng, std::uint32_t n, std::uint32_t N) {
+inline HalfDiskSample drawHalfDisk(const Settings& settings, const Rng& rng, std::uint32_t n,
+                                   std::uint32_t N) {
     return sampleHalfDisk(settings.sampler, rng.uniform(n, 0), n, N);
 }
 
 /// A number in (0, 1) from dimension d: in slice n of N when the sampler is stratified.
-inline double drawUnit(const Settings& settings, const Rng& rng, std::uint32_t n, std::uint32_t d, std::uint32_t N) {
+inline double drawUnit(const Settings& settings, const Rng& rng, std::uint32_t n, std::uint32_t d,
+                       std::uint32_t N) {
     const double u = rng.uniform(n, d);
     return settings.sampler == Sampler::stratified ? (n + u) / N : u;
 }

@@ -1,4 +1,5 @@
-// How is a file replaced so that a reader, or a power cut, sees the old bytes or the new ones, never a mixture?
+// How is a file replaced so that a reader, or a power cut, sees the old bytes or the new ones, never a
+// mixture?
 #include "lessons/atomic_file.h"
 
 #include <fcntl.h>
@@ -39,7 +40,8 @@ struct TemporaryFile {
 void openBeside(TemporaryFile& file, const fs::path& target) {
     constexpr int kAttempts = 1000;  // other writers of the same process take some of the names
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        const fs::path candidate = target.parent_path() / fmt::format(".halfdisk-{}-{}.tmp", ::getpid(), attempt);
+        const fs::path candidate =
+            target.parent_path() / fmt::format(".halfdisk-{}-{}.tmp", ::getpid(), attempt);
         file.descriptor = ::open(candidate.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file.descriptor >= 0) {
             file.path = candidate;
@@ -61,7 +63,8 @@ void writeAll(int descriptor, std::string_view bytes, const fs::path& target) {
 
 /// Makes the rename itself survive a power cut. Best effort: some file systems refuse to flush a directory.
 void flushDirectory(const fs::path& directory) {
-    const int descriptor = ::open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int descriptor =
+        ::open(directory.empty() ? "." : directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return;
     ::fsync(descriptor);
     ::close(descriptor);

@@ -16,7 +16,8 @@ struct TextPosition {
 /// Bad input. what() is `file:line:column: text`, or `file: text` without a place, or `text` without a file.
 struct InputError : std::runtime_error {
     InputError(std::string inFile, TextPosition at, std::string whatIsWrong);
-    InputError(std::string inFile, std::string whatIsWrong) : InputError(std::move(inFile), {}, std::move(whatIsWrong)) {}
+    InputError(std::string inFile, std::string whatIsWrong)
+        : InputError(std::move(inFile), {}, std::move(whatIsWrong)) {}
     /// For something typed rather than read, e.g. a lesson's name on the command line.
     explicit InputError(std::string whatIsWrong) : InputError({}, {}, std::move(whatIsWrong)) {}
 

@@ -13,7 +13,9 @@ namespace {
 constexpr std::size_t kLongestCompared = 64;  // the distance costs the product of the lengths
 constexpr std::size_t kMostListed = 12;
 
-char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
 
 }  // namespace
 
@@ -28,7 +30,8 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
         for (std::size_t j = 1; j <= b.size(); ++j) {
             const bool same = lower(a[i - 1]) == lower(b[j - 1]);
             row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + (same ? 0u : 1u)});
-            const bool swapped = i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
+            const bool swapped =
+                i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) && lower(a[i - 2]) == lower(b[j - 1]);
             if (swapped) row[j] = std::min(row[j], beforeLast[j - 2] + 1);
         }
     }
@@ -40,7 +43,9 @@ std::string_view nearestName(std::string_view name, const std::vector<std::strin
     std::string_view nearest;
     std::size_t least = std::max<std::size_t>(1, name.size() / 3) + 1;
     for (const std::string_view candidate : candidates) {
-        if (candidate.size() > kLongestCompared) continue;
+        // At least the difference of the lengths must be inserted.
+        if (std::max(candidate.size(), name.size()) - std::min(candidate.size(), name.size()) >= least)
+            continue;
         const std::size_t distance = editDistance(name, candidate);
         if (distance < least && distance < candidate.size()) {
             least = distance;

@@ -36,9 +36,4 @@ void TableReader::finish() const {
         throw InputError(file_, where_, fmt::format("{} has no \"{}\", which is required", what_, *missing_));
 }
 
-TextPosition TableReader::whereIs(std::string_view key) const {
-    const TomlEntry* entry = table_.find(key);
-    return entry == nullptr ? where_ : entry->value.where;
-}
-
 }  // namespace halfdisk

@@ -10,8 +10,8 @@
 
 namespace halfdisk {
 
-/// Looks keys up and remembers which ones were asked for: whatever else the table holds is unknown. So one list of
-/// look-ups is the whole description of a table.
+/// Looks keys up and remembers which ones were asked for: whatever else the table holds is unknown. So one
+/// list of look-ups is the whole description of a table.
 class TableReader {
  public:
     /// `what` names the table in messages, e.g. "[[circle]]".
@@ -22,13 +22,14 @@ class TableReader {
     /// The same, but finish() complains if it is missing.
     const TomlValue* required(std::string_view key);
 
-    /// Throws InputError for the first unknown key (at the key), else for the first missing one (at the table).
+    /// Throws InputError for the first unknown key (at the key), else for the first missing one (at the
+    /// table).
     void finish() const;
 
     const std::string& file() const { return file_; }
     TextPosition where() const { return where_; }
-    /// Place of the value of `key`, or of the table if it does not have it.
-    TextPosition whereIs(std::string_view key) const;
+    /// The value of a key that is there, without asking for it.
+    const TomlValue& at(std::string_view key) const { return table_.find(key)->value; }
 
  private:
     std::string file_;

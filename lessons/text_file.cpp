@@ -24,7 +24,8 @@ std::string readTextFile(const std::filesystem::path& path) {
     if (status.type() == std::filesystem::file_type::not_found)
         throw InputError(name, "there is no such file, expected a TOML file");
     if (error) throw InputError(name, fmt::format("the file cannot be read: {}", error.message()));
-    if (std::filesystem::is_directory(status)) throw InputError(name, "this is a directory, expected a TOML file");
+    if (std::filesystem::is_directory(status))
+        throw InputError(name, "this is a directory, expected a TOML file");
     // Devices and pipes have no size and may never end.
     if (!std::filesystem::is_regular_file(status))
         throw InputError(name, "this is not a regular file, expected a TOML file");

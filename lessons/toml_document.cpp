@@ -1,4 +1,5 @@
-// What does a TOML text say, in file order and with the place of everything? The only file that knows the parser.
+// What does a TOML text say, in file order and with the place of everything? The only file that knows the
+// parser.
 #include "lessons/toml_document.h"
 
 // Compiled here rather than taken from the shared library: the nesting limit is ours and fuzzing sees inside.
@@ -10,7 +11,7 @@
 
 #include <algorithm>
 
-#include "lessons/toml_nesting.h"
+#include "lessons/toml_hazards.h"
 #include "lessons/utf8.h"
 
 namespace halfdisk {
@@ -30,9 +31,10 @@ TomlTable convertTable(const toml::table& table) {
         converted.entries.push_back({std::string(key.str()), where, convert(value, where)});
     }
     // The parser sorts by name; what a file lists first should come first.
-    std::stable_sort(converted.entries.begin(), converted.entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
-        return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
-    });
+    std::stable_sort(
+        converted.entries.begin(), converted.entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
+            return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
+        });
     return converted;
 }
 
@@ -74,13 +76,14 @@ std::string reworded(std::string_view description) {
 }  // namespace
 
 const TomlEntry* TomlTable::find(std::string_view key) const {
-    const auto found = std::find_if(entries.begin(), entries.end(), [&](const TomlEntry& e) { return e.key == key; });
+    const auto found =
+        std::find_if(entries.begin(), entries.end(), [&](const TomlEntry& e) { return e.key == key; });
     return found == entries.end() ? nullptr : &*found;
 }
 
 std::string_view TomlValue::kind() const {
-    constexpr std::string_view kKinds[] = {"true or false", "a whole number", "a number", "a string",
-                                           "a date or time", "an array", "a table"};
+    constexpr std::string_view kKinds[] = {"true or false",  "a whole number", "a number", "a string",
+                                           "a date or time", "an array",       "a table"};
     static_assert(std::size(kKinds) == std::variant_size_v<decltype(data)>);
     return kKinds[data.index()];
 }
@@ -90,9 +93,8 @@ TomlValue parseToml(std::string_view text, const std::string& file) {
         throw InputError(file, positionOf(text, *bad),
                          fmt::format("byte 0x{:02X} is not valid UTF-8, expected UTF-8 text",
                                      static_cast<unsigned char>(text[*bad])));
-    if (const auto deep = firstTooDeepKey(text))
-        throw InputError(file, positionOf(text, *deep),
-                         fmt::format("the key has too many parts, expected at most {} joined by dots", kMaxKeyParts));
+    if (const auto hazard = firstHazard(text))
+        throw InputError(file, positionOf(text, hazard->offset), hazard->text);
     try {
         return convert(toml::parse(text), {1, 1});
     } catch (const toml::parse_error& error) {

@@ -1,4 +1,5 @@
-// What does a TOML text say, in file order and with the place of everything? (The parser itself stays in the .cpp.)
+// What does a TOML text say, in file order and with the place of everything? (The parser itself stays in the
+// .cpp.)
 #pragma once
 
 #include <cstdint>
@@ -39,7 +40,8 @@ struct TomlEntry {
     TomlValue value;
 };
 
-/// Parses TOML. Throws InputError at the first fault: invalid UTF-8, syntax, nesting deeper than any sane file.
+/// Parses TOML. Throws InputError at the first fault: invalid UTF-8, syntax, nesting deeper than any sane
+/// file.
 TomlValue parseToml(std::string_view text, const std::string& file);
 
 }  // namespace halfdisk

@@ -6,14 +6,20 @@
 namespace halfdisk {
 namespace {
 
-bool isContinuation(char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; }
+bool isContinuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
+}
 
-/// Length of the well-formed sequence at the start of `text`, 0 if there is none.
-std::size_t sequenceLength(std::string_view text) {
+}  // namespace
+
+std::size_t characterLength(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned lead = byte(0);
     if (lead < 0x80u) return 1;
-    const std::size_t length = lead >= 0xC2u && lead <= 0xDFu ? 2 : (lead & 0xF0u) == 0xE0u ? 3 : lead >= 0xF0u && lead <= 0xF4u ? 4 : 0;
+    const std::size_t length = lead >= 0xC2u && lead <= 0xDFu   ? 2
+                               : (lead & 0xF0u) == 0xE0u        ? 3
+                               : lead >= 0xF0u && lead <= 0xF4u ? 4
+                                                                : 0;
     if (length == 0 || text.size() < length) return 0;
     for (std::size_t i = 1; i < length; ++i)
         if (!isContinuation(text[i])) return 0;
@@ -26,11 +32,9 @@ std::size_t sequenceLength(std::string_view text) {
     return length;
 }
 
-}  // namespace
-
 std::optional<std::size_t> firstInvalidUtf8(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = sequenceLength(text.substr(at));
+        const std::size_t length = characterLength(text.substr(at));
         if (length == 0) return at;
         at += length;
     }
@@ -38,7 +42,8 @@ std::optional<std::size_t> firstInvalidUtf8(std::string_view text) {
 }
 
 std::size_t characterCount(std::string_view text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return !isContinuation(c); }));
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return !isContinuation(c); }));
 }
 
 TextPosition positionOf(std::string_view text, std::size_t offset) {

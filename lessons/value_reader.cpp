@@ -31,7 +31,8 @@ bool asNumber(const TomlValue& value, double& number) {
 double checked(const std::string& file, std::string_view key, const TomlValue& value, double number,
                const NumberRule& rule) {
     if (!(number >= rule.least && number <= rule.most))  // NaN fails both
-        failAt(file, value.where, fmt::format("\"{}\" is {}, expected {}", excerpt(key), number, rule.expected));
+        failAt(file, value.where,
+               fmt::format("\"{}\" is {}, expected {}", excerpt(key), number, rule.expected));
     return number;
 }
 
@@ -47,48 +48,55 @@ bool readFlag(const std::string& file, std::string_view key, const TomlValue& va
     return *flag;
 }
 
-double readNumber(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule) {
+double readNumber(const std::string& file, std::string_view key, const TomlValue& value,
+                  const NumberRule& rule) {
     double number = 0.0;
     if (!asNumber(value, number)) wrongType(file, key, value, rule.expected);
     return checked(file, key, value, number, rule);
 }
 
-std::uint64_t readWhole(const std::string& file, std::string_view key, const TomlValue& value, const WholeRule& rule) {
-    const std::string expected = fmt::format("a whole number of {} from {} to {}", rule.noun, rule.least, rule.most);
+std::uint64_t readWhole(const std::string& file, std::string_view key, const TomlValue& value,
+                        const WholeRule& rule) {
+    const std::string expected = fmt::format("a whole number from {} to {}", rule.least, rule.most);
     const auto* whole = std::get_if<std::int64_t>(&value.data);
     if (whole == nullptr) {
         if (const auto* real = std::get_if<double>(&value.data))
             failAt(file, value.where, fmt::format("\"{}\" is {}, expected {}", key, *real, expected));
         wrongType(file, key, value, expected);
     }
-    if (*whole < 0 || static_cast<std::uint64_t>(*whole) < rule.least || static_cast<std::uint64_t>(*whole) > rule.most)
+    if (*whole < 0 || static_cast<std::uint64_t>(*whole) < rule.least ||
+        static_cast<std::uint64_t>(*whole) > rule.most)
         failAt(file, value.where, fmt::format("\"{}\" is {}, expected {}", excerpt(key), *whole, expected));
     return static_cast<std::uint64_t>(*whole);
 }
 
-Vec2 readPoint(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule) {
+Vec2 readPoint(const std::string& file, std::string_view key, const TomlValue& value,
+               const NumberRule& rule) {
     const auto* pair = std::get_if<TomlArray>(&value.data);
     if (pair == nullptr) wrongType(file, key, value, "two numbers [x, y]");
     if (pair->size() != 2)
-        failAt(file, value.where,
-               fmt::format("\"{}\" has {} elements, expected two numbers [x, y]", excerpt(key), pair->size()));
+        failAt(
+            file, value.where,
+            fmt::format("\"{}\" has {} elements, expected two numbers [x, y]", excerpt(key), pair->size()));
     return {readNumber(file, key, (*pair)[0], rule), readNumber(file, key, (*pair)[1], rule)};
 }
 
-Rgb readColour(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule) {
+Rgb readColour(const std::string& file, std::string_view key, const TomlValue& value,
+               const NumberRule& rule) {
     double grey = 0.0;
     if (asNumber(value, grey)) return Rgb(checked(file, key, value, grey, rule));
     const auto* channels = std::get_if<TomlArray>(&value.data);
     if (channels == nullptr) wrongType(file, key, value, "one number or three [red, green, blue]");
     if (channels->size() != 3)
         failAt(file, value.where,
-               fmt::format("\"{}\" has {} elements, expected one number or three [red, green, blue]", excerpt(key),
-                           channels->size()));
+               fmt::format("\"{}\" has {} elements, expected one number or three [red, green, blue]",
+                           excerpt(key), channels->size()));
     return {readNumber(file, key, (*channels)[0], rule), readNumber(file, key, (*channels)[1], rule),
             readNumber(file, key, (*channels)[2], rule)};
 }
 
-std::string readText(const std::string& file, std::string_view key, const TomlValue& value, const TextRule& rule) {
+std::string readText(const std::string& file, std::string_view key, const TomlValue& value,
+                     const TextRule& rule) {
     const auto* text = std::get_if<std::string>(&value.data);
     if (text == nullptr) wrongType(file, key, value, "a string");
     if (!rule.mayBeEmpty && text->find_first_not_of(" \t\r\n") == std::string::npos)
@@ -111,11 +119,13 @@ void checkName(const std::string& file, TextPosition where, std::string_view nam
     if (name.empty()) failAt(file, where, "the name is empty, expected at least one character");
     if (characterCount(name) > kMaxNameCharacters)
         failAt(file, where,
-               fmt::format("the name has {} characters, expected at most {}", characterCount(name), kMaxNameCharacters));
+               fmt::format("the name has {} characters, expected at most {}", characterCount(name),
+                           kMaxNameCharacters));
     if (name.find(':') != std::string_view::npos)
         failAt(file, where,
-               fmt::format("the name \"{}\" holds a ':', expected a name without one (NAME:T is a point on a wall)",
-                           excerpt(name)));
+               fmt::format(
+                   "the name \"{}\" holds a ':', expected a name without one (NAME:T is a point on a wall)",
+                   excerpt(name)));
     if (hasControlCharacter(name))
         failAt(file, where,
                fmt::format("the name \"{}\" holds a control character, expected plain text", excerpt(name)));
@@ -139,6 +149,14 @@ const TomlTable& readTable(const std::string& file, std::string_view key, const 
     const auto* table = std::get_if<TomlTable>(&value.data);
     if (table == nullptr) wrongType(file, key, value, "a table");
     return *table;
+}
+
+void failNamed(const std::string& file, std::string_view key, const TomlValue& value,
+               const std::vector<std::string_view>& names) {
+    const auto* name = std::get_if<std::string>(&value.data);
+    if (name == nullptr) wrongType(file, key, value, "a string");
+    failAt(file, value.where,
+           fmt::format("\"{}\" is \"{}\", {}", excerpt(key), excerpt(*name), expectedOneOf(*name, names)));
 }
 
 }  // namespace halfdisk

@@ -20,10 +20,9 @@ struct NumberRule {
     std::string_view expected;
 };
 
-/// Which whole numbers are allowed, and what they count.
+/// Which whole numbers are allowed.
 struct WholeRule {
     std::uint64_t least, most;
-    std::string_view noun;
 };
 
 /// Which texts are allowed.
@@ -38,12 +37,15 @@ struct TextRule {
 
 /// Each reads one value of the key `key`; throws InputError at the value (or the wrong element of it).
 bool readFlag(const std::string& file, std::string_view key, const TomlValue& value);
-double readNumber(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule);
-std::uint64_t readWhole(const std::string& file, std::string_view key, const TomlValue& value, const WholeRule& rule);
+double readNumber(const std::string& file, std::string_view key, const TomlValue& value,
+                  const NumberRule& rule);
+std::uint64_t readWhole(const std::string& file, std::string_view key, const TomlValue& value,
+                        const WholeRule& rule);
 Vec2 readPoint(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule);
 /// One number for all channels, or three.
 Rgb readColour(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule);
-std::string readText(const std::string& file, std::string_view key, const TomlValue& value, const TextRule& rule);
+std::string readText(const std::string& file, std::string_view key, const TomlValue& value,
+                     const TextRule& rule);
 /// A name that `NAME:T` can carry: 1 ... 200 characters, no ':' and no control characters.
 std::string readName(const std::string& file, std::string_view key, const TomlValue& value);
 /// The same rules for a name that is itself a key.
@@ -52,18 +54,17 @@ const TomlArray& readArray(const std::string& file, std::string_view key, const 
                            std::string_view expected);
 const TomlTable& readTable(const std::string& file, std::string_view key, const TomlValue& value);
 
+/// Throws InputError for a value that is none of `names`.
+[[noreturn]] void failNamed(const std::string& file, std::string_view key, const TomlValue& value,
+                            const std::vector<std::string_view>& names);
+
 /// One name of a closed set.
 template <class Enum, std::size_t Count>
 Enum readNamed(const std::string& file, std::string_view key, const TomlValue& value,
                const std::array<Named<Enum>, Count>& table) {
-    const std::vector<std::string_view> names = namesOf(table);
-    const auto* name = std::get_if<std::string>(&value.data);
-    if (name == nullptr)
-        failAt(file, value.where,
-               "\"" + std::string(key) + "\" is " + std::string(value.kind()) + ", " + expectedOneOf({}, names));
-    if (const auto found = valueOf(table, std::string_view(*name))) return *found;
-    failAt(file, value.where,
-           "\"" + std::string(key) + "\" is \"" + excerpt(*name) + "\", " + expectedOneOf(*name, names));
+    if (const auto* name = std::get_if<std::string>(&value.data))
+        if (const auto found = valueOf(table, std::string_view(*name))) return *found;
+    failNamed(file, key, value, namesOf(table));
 }
 
 }  // namespace halfdisk

@@ -1,0 +1,67 @@
+// What does the program remember between frames? Plain data: nothing lives in widgets or statics.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/camera.h"
+#include "app/light_answer.h"
+#include "lessons/lesson_list.h"
+
+namespace halfdisk {
+
+/// Where the reader stands in the recorded run of castRay.
+struct Playback {
+    bool stepping = false;  ///< show the run up to `event` only; else the whole of it
+    std::size_t event = 0;  ///< events passed, 0 ... all
+    bool playing = false;
+    float sinceLast = 0.0f;  ///< s of frame time
+    bool operator==(const Playback&) const = default;
+};
+
+/// What the pointer holds on the canvas.
+enum class Grip : std::uint8_t { none, point, canvas };
+
+struct AppState {
+    // the library
+    std::filesystem::path lessonsFolder;
+    std::vector<LessonEntry> lessons;
+    std::optional<Lesson> lesson;         ///< none: a scene by itself
+    std::size_t step = 0;                 ///< index into lesson->steps
+    std::filesystem::path sceneOverride;  ///< a scene file shown instead of the lesson's; empty: none
+
+    // what is looked at
+    std::shared_ptr<const PreparedScene> scene;
+    Settings settings;
+    WallPoint at;
+    Playback playback;
+    ViewSet show;
+    bool unlockAll = false;
+
+    // the screen
+    Camera camera;
+    bool fitCamera = true;  ///< at the next frame
+    Grip grip = Grip::none;
+    bool answerShown = false;
+    bool helpShown = false;
+    float uiScale = 1.0f;
+    std::string banner;       ///< a message about something that went wrong; the last good state stays
+    std::size_t litLine = 0;  ///< line of the code panel that it last scrolled to, plus one
+
+    // the light
+    std::uint64_t questionId = 0;  ///< grows whenever scene, P or settings change
+    std::shared_ptr<const LightAnswer> answer;
+
+    const Step* currentStep() const { return lesson ? &lesson->steps[step] : nullptr; }
+    bool isUnlocked(Control control) const {
+        const Step* current = currentStep();
+        return unlockAll || !current || current->unlock == control;
+    }
+    bool shows(View view) const { return show.has(view); }
+    std::size_t eventCount() const { return answer && answer->record ? answer->record->events.size() : 0; }
+};
+
+}  // namespace halfdisk

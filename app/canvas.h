@@ -1,0 +1,39 @@
+// What does the canvas draw? Layers, from the back to the front; each reads the state and adds to the
+// window's draw list.
+#pragma once
+
+#include "app/camera.h"
+#include "app/frame.h"
+
+namespace halfdisk {
+
+/// The canvas while it is being drawn.
+struct Canvas {
+    const Ui& ui;
+    CanvasRect rect;
+    Camera camera;
+    ImDrawList& list;
+
+    ImVec2 screen(Vec2 world) const { return toScreen(camera, rect, world); }
+    float px(float design) const { return design * ui.scale; }
+    /// Where a ray from `from` along `direction` is clearly off the canvas.
+    Vec2 farAlong(Vec2 from, Vec2 direction) const;
+};
+
+void drawGrid(const Canvas& canvas);
+void drawWalls(const Canvas& canvas);
+void drawLights(const Canvas& canvas);
+void drawHalfDisk(const Canvas& canvas, Vec2 P, Vec2 N, float opacity);
+void drawSamples(const Canvas& canvas);
+void drawTree(const Canvas& canvas);
+void drawCurrentStep(const Canvas& canvas);
+void drawPoint(const Canvas& canvas, Vec2 P, Vec2 N);
+void drawRayLegend(const Canvas& canvas);
+
+/// Radius of the half-disk on the screen, pixels.
+float halfDiskRadius(const Canvas& canvas);
+
+/// Point of a wall nearest to `world`.
+WallPoint nearestWallPoint(const Scene& scene, Vec2 world);
+
+}  // namespace halfdisk

@@ -1,0 +1,123 @@
+// How does the reader look around, and take hold of P? Pan, zoom to the pointer, fit, and drag P along the
+// walls.
+#include <cmath>
+
+#include "app/canvas.h"
+#include "app/draw_text.h"
+#include "app/imgui_compat.h"
+#include "app/panels.h"
+
+namespace halfdisk {
+namespace {
+
+Vec2 shadedNormal(const AppState& state) {
+    return state.scene->index.normal(state.at.segment);
+}
+
+bool isOverPoint(const Canvas& canvas, ImVec2 mouse) {
+    const ImVec2 p = canvas.screen(positionOf(canvas.ui.state.scene->scene, canvas.ui.state.at));
+    return std::hypot(mouse.x - p.x, mouse.y - p.y) < canvas.px(16);
+}
+
+void interact(const Canvas& canvas, bool hovered, bool active) {
+    const Ui& ui = canvas.ui;
+    const ImGuiIO& io = ImGui::GetIO();
+    const bool movable = ui.state.isUnlocked(Control::point);
+    const bool overPoint = hovered && isOverPoint(canvas, io.MousePos);
+    if (overPoint && ui.state.grip == Grip::none) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+        tooltip(movable ? "P: drag it along the walls" : "P stays here in this step (Unlock all frees it)");
+    }
+    if (hovered && io.MouseWheel != 0.0f)
+        ui.commands.push_back(
+            SetCamera{zoomed(canvas.camera, canvas.rect, io.MousePos, std::pow(1.15, io.MouseWheel))});
+    if (!active) {
+        if (ui.state.grip != Grip::none) ui.commands.push_back(SetGrip{Grip::none});
+        return;
+    }
+    if (ui.state.grip == Grip::none) {
+        const bool grabs = ImGui::IsMouseDown(0) && overPoint && movable;
+        ui.commands.push_back(SetGrip{grabs ? Grip::point : Grip::canvas});
+        return;
+    }
+    if (io.MouseDelta.x == 0.0f && io.MouseDelta.y == 0.0f) return;
+    if (ui.state.grip == Grip::canvas) ui.commands.push_back(SetCamera{panned(canvas.camera, io.MouseDelta)});
+    if (ui.state.grip == Grip::point)
+        ui.commands.push_back(MovePoint{
+            nearestWallPoint(ui.state.scene->scene, toWorld(canvas.camera, canvas.rect, io.MousePos))});
+}
+
+/// Small buttons in the canvas' upper right corner.
+void cornerButtons(const Canvas& canvas) {
+    const Ui& ui = canvas.ui;
+    const float spacing = ImGui::GetStyle().ItemSpacing.x, padding = 2 * ImGui::GetStyle().FramePadding.x;
+    float width = 0.0f;
+    for (const char* label : {"Fit", "Grid", "A-", "A+", "?"}) width += textSize(label).x + padding + spacing;
+    ImGui::SetCursorScreenPos({canvas.rect.max.x - width - canvas.px(2), canvas.rect.min.y + canvas.px(6)});
+    if (button(ui.widgets, "Fit")) ui.commands.push_back(FitCamera{});
+    tooltip("show the whole scene (F)");
+    ImGui::SameLine();
+    bool grid = ui.state.shows(View::grid);
+    if (toggle(ui.widgets, "Grid", grid)) ui.commands.push_back(SetView{View::grid, grid});
+    tooltip("a grid behind the scene (G)");
+    ImGui::SameLine();
+    if (button(ui.widgets, "A-")) ui.commands.push_back(SetUiScale{ui.state.uiScale / 1.25f});
+    tooltip("everything smaller (Ctrl -)");
+    ImGui::SameLine();
+    if (button(ui.widgets, "A+")) ui.commands.push_back(SetUiScale{ui.state.uiScale * 1.25f});
+    tooltip("everything larger, for the last row (Ctrl +)");
+    ImGui::SameLine();
+    if (button(ui.widgets, "?")) ui.commands.push_back(ToggleHelp{});
+    tooltip("keys (?)");
+}
+
+}  // namespace
+
+void canvasPanel(const Ui& ui, ImVec2 size) {
+    const AppState& state = ui.state;
+    beginChild("canvas", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
+    const CanvasRect rect{origin, {origin.x + available.x, origin.y + available.y}};
+    const float margin = 34 * ui.scale;
+    const CanvasRect inner{{rect.min.x, rect.min.y + margin}, {rect.max.x, rect.max.y - 0.5f * margin}};
+    Camera camera = state.camera;
+    if (state.fitCamera) {
+        camera = fitted(state.scene->bounds, inner, margin);
+        camera.center.y += (inner.center().y - rect.center().y) / camera.pixelsPerMeter;
+        ui.commands.push_back(SetCamera{camera});
+    }
+    const Canvas canvas{ui, rect, camera, *ImGui::GetWindowDrawList()};
+
+    ImGui::SetItemAllowOverlap();
+    ImGui::InvisibleButton("canvas", available,
+                           ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                               ImGuiButtonFlags_MouseButtonRight);
+    ImGui::SetItemAllowOverlap();
+    const bool hovered = ImGui::IsItemHovered(), active = ImGui::IsItemActive();
+    mark(ui.widgets, "canvas", rect.min, rect.max);
+
+    canvas.list.PushClipRect(rect.min, rect.max, true);
+    const Vec2 P = positionOf(state.scene->scene, state.at), N = shadedNormal(state);
+    if (state.shows(View::grid)) drawGrid(canvas);
+    if (state.shows(View::halfdisk)) drawHalfDisk(canvas, P, N, 1.0f);
+    if (state.shows(View::tree)) drawTree(canvas);
+    drawSamples(canvas);
+    drawWalls(canvas);
+    drawLights(canvas);
+    drawPoint(canvas, P, N);
+    drawCurrentStep(canvas);
+    const ImVec2 p = canvas.screen(P);
+    const ImVec2 below{p.x - canvas.px(20) * static_cast<float>(N.x),
+                       p.y + canvas.px(20) * static_cast<float>(N.y)};
+    drawText(ui, {below.x, below.y - ImGui::GetFontSize() / 2}, ui.palette.point, "P", Align::middle,
+             ui.fonts.strong);
+    drawRayLegend(canvas);
+    canvas.list.PopClipRect();
+    mark(ui.widgets, "P", {p.x - canvas.px(6), p.y - canvas.px(6)}, {p.x + canvas.px(6), p.y + canvas.px(6)});
+
+    interact(canvas, hovered, active);
+    cornerButtons(canvas);
+    ImGui::EndChild();
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,140 @@
+// The scene on the canvas: grid, walls with their fronts marked, lights.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/canvas.h"
+#include "app/draw_text.h"
+#include "app/imgui_compat.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr std::size_t kMostHatchedWalls = 2000;
+
+ImU32 packed(const Rgb& color) {
+    const auto byte = [](double x) { return static_cast<int>(std::lround(255.0 * std::clamp(x, 0.0, 1.0))); };
+    return IM_COL32(byte(color.x), byte(color.y), byte(color.z), 255);
+}
+
+/// Short strokes on the back of a wall, as in a drawing of a solid's section.
+void hatchBack(const Canvas& canvas, ImVec2 a, ImVec2 b) {
+    const float length = std::hypot(b.x - a.x, b.y - a.y), spacing = canvas.px(9), depth = canvas.px(8);
+    if (length < spacing) return;
+    const ImVec2 along{(b.x - a.x) / length, (b.y - a.y) / length};
+    const ImVec2 back{-along.y, along.x};  // screen y points down: the right side of a->b
+    const int strokes = std::min(400, static_cast<int>(length / spacing));
+    for (int i = 0; i < strokes; ++i) {
+        const float s = (static_cast<float>(i) + 0.5f) * length / static_cast<float>(strokes);
+        const ImVec2 from{a.x + along.x * s, a.y + along.y * s};
+        canvas.list.AddLine(from, {from.x + (back.x - along.x) * depth, from.y + (back.y - along.y) * depth},
+                            canvas.ui.palette.wallBack, canvas.px(1));
+    }
+}
+
+void drawSun(const Canvas& canvas, ImVec2 at, float radius) {
+    canvas.list.AddCircleFilled(at, radius, canvas.ui.palette.light);
+    for (int i = 0; i < 8; ++i) {
+        const float angle = static_cast<float>(i) * static_cast<float>(kPi) / 4;
+        const ImVec2 ray{std::cos(angle), std::sin(angle)};
+        canvas.list.AddLine({at.x + 1.4f * radius * ray.x, at.y + 1.4f * radius * ray.y},
+                            {at.x + 2.1f * radius * ray.x, at.y + 2.1f * radius * ray.y},
+                            canvas.ui.palette.light, canvas.px(2));
+    }
+}
+
+void drawArrow(const Canvas& canvas, ImVec2 from, ImVec2 to, ImU32 color) {
+    const float length = std::hypot(to.x - from.x, to.y - from.y), head = canvas.px(9);
+    if (length < 1.0f) return;
+    const ImVec2 along{(to.x - from.x) / length, (to.y - from.y) / length};
+    canvas.list.AddLine(from, {to.x - along.x * head, to.y - along.y * head}, color, canvas.px(2));
+    const ImVec2 neck{to.x - along.x * head, to.y - along.y * head};
+    canvas.list.AddTriangleFilled(to, {neck.x - along.y * head / 2, neck.y + along.x * head / 2},
+                                  {neck.x + along.y * head / 2, neck.y - along.x * head / 2}, color);
+}
+
+}  // namespace
+
+Vec2 Canvas::farAlong(Vec2 from, Vec2 direction) const {
+    const double diagonal = std::hypot(rect.width(), rect.height()) / camera.pixelsPerMeter;
+    return from + direction * (2.0 * diagonal + glm::length(from - camera.center));
+}
+
+void drawGrid(const Canvas& canvas) {
+    double step = 1.0;
+    while (step * canvas.camera.pixelsPerMeter < canvas.px(24)) step *= 10.0;
+    while (step * canvas.camera.pixelsPerMeter > canvas.px(400)) step /= 10.0;
+    const Vec2 low = toWorld(canvas.camera, canvas.rect, {canvas.rect.min.x, canvas.rect.max.y});
+    const Vec2 high = toWorld(canvas.camera, canvas.rect, {canvas.rect.max.x, canvas.rect.min.y});
+    for (double x = std::ceil(low.x / step) * step; x <= high.x; x += step) {
+        const float p = canvas.screen({x, 0.0}).x;
+        canvas.list.AddLine({p, canvas.rect.min.y}, {p, canvas.rect.max.y}, canvas.ui.palette.grid, 1.0f);
+    }
+    for (double y = std::ceil(low.y / step) * step; y <= high.y; y += step) {
+        const float p = canvas.screen({0.0, y}).y;
+        canvas.list.AddLine({canvas.rect.min.x, p}, {canvas.rect.max.x, p}, canvas.ui.palette.grid, 1.0f);
+    }
+    const std::string words = fmt::format("grid: {:g} m", step);
+    drawText(canvas.ui,
+             {canvas.rect.max.x - canvas.px(6), canvas.rect.max.y - ImGui::GetFontSize() - canvas.px(4)},
+             canvas.ui.palette.inkSoft, words, Align::right);
+}
+
+void drawWalls(const Canvas& canvas) {
+    const Scene& scene = canvas.ui.state.scene->scene;
+    const Palette& palette = canvas.ui.palette;
+    const bool hatch = scene.segments.size() <= kMostHatchedWalls;
+    for (const Segment& s : scene.segments) {
+        const ImVec2 a = canvas.screen(s.a), b = canvas.screen(s.b);
+        if (hatch && !s.twoSided) hatchBack(canvas, a, b);
+    }
+    for (const Segment& s : scene.segments) {
+        const ImVec2 a = canvas.screen(s.a), b = canvas.screen(s.b);
+        canvas.list.AddLine(a, b, palette.wallFront, canvas.px(3));
+        const ImVec2 front{canvas.px(2) * static_cast<float>(frontNormal(s).x),
+                           -canvas.px(2) * static_cast<float>(frontNormal(s).y)};
+        const Rgb albedo = std::get<Diffuse>(scene.materials[s.material]).albedo;
+        const ImU32 face = isEmitter(s) ? palette.light : packed(albedo);
+        canvas.list.AddLine({a.x + front.x, a.y + front.y}, {b.x + front.x, b.y + front.y}, face,
+                            canvas.px(isEmitter(s) ? 5.0f : 2.0f));
+    }
+}
+
+void drawLights(const Canvas& canvas) {
+    const Palette& palette = canvas.ui.palette;
+    float sunRow = 0.0f;
+    for (const DeltaLight& light : canvas.ui.state.scene->scene.lights) {
+        if (const auto* point = std::get_if<PointLight>(&light))
+            drawSun(canvas, canvas.screen(point->position), canvas.px(7));
+        if (const auto* sun = std::get_if<DirectionalLight>(&light)) {
+            const Vec2 direction = glm::normalize(sun->direction);
+            const ImVec2 start{canvas.rect.center().x - canvas.px(60),
+                               canvas.rect.min.y + canvas.px(30 + sunRow)};
+            const ImVec2 step{canvas.px(48) * static_cast<float>(direction.x),
+                              -canvas.px(48) * static_cast<float>(direction.y)};
+            for (int i = 0; i < 4; ++i) {
+                const ImVec2 from{start.x + canvas.px(40) * static_cast<float>(i), start.y};
+                drawArrow(canvas, from, {from.x + step.x, from.y + step.y}, palette.light);
+            }
+            sunRow += 60.0f;
+        }
+    }
+}
+
+WallPoint nearestWallPoint(const Scene& scene, Vec2 world) {
+    WallPoint nearest;
+    double least = kInfinity;
+    for (std::uint32_t i = 0; i < scene.segments.size(); ++i) {
+        const Segment& s = scene.segments[i];
+        const Vec2 edge = s.b - s.a;
+        const double t = std::clamp(glm::dot(world - s.a, edge) / glm::dot(edge, edge), 0.0, 1.0);
+        const double distance = glm::length(s.a + t * edge - world);
+        if (distance >= least) continue;
+        least = distance;
+        nearest = {i, t};
+    }
+    return nearest;
+}
+
+}  // namespace halfdisk

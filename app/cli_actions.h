@@ -1,0 +1,53 @@
+// What does the command line ask of the window and of the headless host? Plain requests, checked but for what
+// the lesson files themselves say.
+//
+// The actions return an exit code; they throw InputError for bad input and any other exception for a failure.
+// Whether a window could be opened is hasDisplay() in window_host.h.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "lessons/lesson_list.h"
+
+namespace halfdisk {
+
+inline constexpr int kExitSuccess = 0;
+inline constexpr int kExitFailure = 1;
+inline constexpr int kExitBadInput = 2;
+
+/// In pixels. What a picture may be as well as what it is by default.
+struct PictureSize {
+    int width = 1280, height = 800;
+    bool operator==(const PictureSize&) const = default;
+};
+inline constexpr int kLeastPictureSize = 320, kMostPictureSize = 7680;
+inline constexpr double kLeastPictureScale = 0.5, kMostPictureScale = 4.0;
+
+struct WindowRequest {
+    std::filesystem::path lessonsFolder;
+    std::optional<LessonRef> lesson;             ///< none: the first lesson
+    std::optional<std::filesystem::path> scene;  ///< shown in place of the lesson's own
+};
+
+struct ScreenshotRequest {
+    std::filesystem::path lessonsFolder;
+    LessonRef lesson;
+    std::optional<std::filesystem::path> scene;  ///< shown in place of the lesson's own
+    std::filesystem::path output;                ///< a PNG file
+    PictureSize size;
+    double scale = 1.0;  ///< of the user interface
+};
+
+struct TourRequest {
+    std::filesystem::path lessonsFolder;
+    std::filesystem::path outputFolder;  ///< made if it is not there
+};
+
+int runWindow(const WindowRequest& request);
+int runScreenshot(const ScreenshotRequest& request);
+
+/// Every step of every lesson to <slug>-<step>.png.
+int runTour(const TourRequest& request);
+
+}  // namespace halfdisk

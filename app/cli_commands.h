@@ -1,0 +1,24 @@
+// Which commands are there? Each adds itself to the parser and, once parsed, says what to do.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <functional>
+
+namespace halfdisk {
+
+/// What the parsed command line asks for; returns the exit code. Runs after parsing, so that its errors are
+/// its own.
+using Action = std::function<int()>;
+
+/// The program without a subcommand.
+void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder);
+void addLessonsCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder);
+void addPictureCommands(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder);
+void addProbeCommand(CLI::App& app, Action& chosen);
+void addSceneCommand(CLI::App& app, Action& chosen);
+
+/// `--lessons DIR`, before or after the subcommand.
+void addLessonsFolder(CLI::App& command, std::filesystem::path& lessonsFolder);
+
+}  // namespace halfdisk

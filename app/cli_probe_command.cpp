@@ -1,0 +1,97 @@
+// halfdisk probe: how much light is at a point? The options, their help, and the order of the work.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "app/cli_actions.h"
+#include "app/cli_arguments.h"
+#include "app/cli_commands.h"
+#include "app/cli_probe_report.h"
+#include "lessons/scene_file.h"
+
+namespace halfdisk {
+namespace {
+
+int runProbe(const ProbeTexts& texts) {
+    const ProbeQuestion question = probeQuestion(texts);
+    const Scene scene = expandScene(loadScene(texts.scene));
+    const SegmentIndex index(scene);
+    ProbeAnswer answer = probe(index, question, probePlace(index, texts.at, question.normal));
+    if (texts.json) {
+        writeJson(probeJson(answer));
+    } else {
+        answer.exact = exactIrradiance(scene, question.settings, answer.place.shaded);
+        writeOutput(probeTable(answer));
+    }
+    return kExitSuccess;
+}
+
+std::string helpFooter() {
+    return fmt::format(
+        R"(A depth of D gives irradiance of light scattered at most D times before it arrives, and the radiance of a wall at D + 1.
+
+Estimators:
+{}
+Samplers:
+{}
+Emitters, how light that leaves an emitting segment is counted:
+{}
+Defects, for --as-printed=LIST:
+{}
+Examples:
+  halfdisk probe room.toml --at floor:0.25
+  halfdisk probe room.toml --at 0.5,0.5 --normal 0,1 --samples 1e4 --sampler cosine
+  halfdisk probe room.toml --at floor:0.25 --as-printed=frame,pdf --json)",
+        describedNames(kEstimators), describedNames(kSamplers), describedNames(kEmitters),
+        describedNames(kDefects));
+}
+
+void addNumber(CLI::App& command, const NumberInfo& info, const char* letter, std::string& text) {
+    command.add_option(fmt::format("--{}", info.name), text, std::string(info.meaning))
+        ->type_name(letter)
+        ->capture_default_str();
+}
+
+template <class Table>
+void addChoice(CLI::App& command, const std::string& option, std::string_view meaning, const Table& table,
+               std::string& text) {
+    command.add_option(option, text, fmt::format("{}: {}", meaning, joinedNames(table)))
+        ->type_name("NAME")
+        ->capture_default_str();
+}
+
+}  // namespace
+
+void addProbeCommand(CLI::App& app, Action& chosen) {
+    const auto texts = std::make_shared<ProbeTexts>();
+    CLI::App* command = app.add_subcommand("probe", "measure the light at a point of a scene");
+    command->add_option("SCENE", texts->scene, "scene file (TOML)")->required()->type_name("");
+    command
+        ->add_option("--at", texts->at, "a point in metres, or a wall's name and a place on it from 0 to 1")
+        ->type_name("X,Y|NAME:T")
+        ->required();
+    command
+        ->add_option(
+            "--normal", texts->normal,
+            "middle of the half-disk; without it, the front of the wall at the point, and its radiance too")
+        ->type_name("X,Y");
+    addChoice(*command, "--estimator", "how light is gathered", kEstimators, texts->estimator);
+    addNumber(*command, kProbeSamplesInfo, "N", texts->samples);
+    addNumber(*command, kMaxDepthInfo, "D", texts->depth);
+    addChoice(*command, "--sampler", "how directions are drawn", kSamplers, texts->sampler);
+    addChoice(*command, "--emitters", "how emitting segments are found", kEmitters, texts->emitters);
+    // A flag: without `=` it takes no value, so that what follows stays an argument of its own.
+    command
+        ->add_flag("--as-printed", texts->asPrinted,
+                   "run the published listing's defects: all, or those listed")
+        ->type_name("[=LIST]");
+    addNumber(*command, kSeedInfo, "K", texts->seed);
+    addNumber(*command, kRepeatsInfo, "R", texts->repeats);
+    command->add_option("--threads", texts->threads, std::string(kThreadsInfo.meaning))->type_name("T");
+    command->add_flag("--anyway", texts->anyway, "cast the rays even if they are more than 10^10");
+    command->add_flag("--json", texts->json, "print one JSON object");
+    command->footer(helpFooter());
+    command->callback([&chosen, texts] { chosen = [texts] { return runProbe(*texts); }; });
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,52 @@
+// halfdisk [LESSON[:STEP]] [--scene FILE]: what does the program do without a subcommand? It opens the
+// window.
+#include <memory>
+#include <optional>
+
+#include "app/cli_actions.h"
+#include "app/cli_commands.h"
+#include "lessons/input_error.h"
+
+namespace halfdisk {
+namespace {
+
+struct WindowTexts {
+    std::optional<std::string> lesson, scene;
+};
+
+WindowRequest windowRequest(const WindowTexts& texts, const std::filesystem::path& lessonsFolder) {
+    WindowRequest request{lessonsFolder, {}, {}};
+    if (texts.lesson) request.lesson = parseLessonRef(*texts.lesson);
+    if (texts.scene) request.scene = *texts.scene;
+    return request;
+}
+
+}  // namespace
+
+void addLessonsFolder(CLI::App& command, std::filesystem::path& lessonsFolder) {
+    command.add_option("--lessons", lessonsFolder, "folder of the lesson files")
+        ->type_name("DIR")
+        ->capture_default_str();
+}
+
+void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder) {
+    const auto texts = std::make_shared<WindowTexts>();
+    app.add_option("LESSON", texts->lesson,
+                   "lesson to open: slug or number, e.g. as-printed or 03:2 (the second step)")
+        ->type_name("[:STEP]");
+    app.add_option("--scene", texts->scene, "scene file to show in place of the lesson's own")
+        ->type_name("FILE");
+    addLessonsFolder(app, lessonsFolder);
+    // Called whenever parsing succeeds, after the callbacks of the subcommands.
+    app.final_callback([&app, &chosen, texts, &lessonsFolder] {
+        if (app.get_subcommands().empty()) {
+            chosen = [texts, &lessonsFolder] { return runWindow(windowRequest(*texts, lessonsFolder)); };
+        } else if (texts->lesson) {
+            throw InputError("'" + *texts->lesson + "' was not expected before or after a command");
+        } else if (texts->scene) {
+            throw InputError("--scene was not expected before a command");
+        }
+    });
+}
+
+}  // namespace halfdisk

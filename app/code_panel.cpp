@@ -1,0 +1,120 @@
+// Which line of castRay runs now? Its source with the published listing's line numbers, the current line lit,
+// and the keys of the recorder: back, step, play.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/draw_text.h"
+#include "app/imgui_compat.h"
+#include "app/panels.h"
+#include "app/step_text.h"
+
+namespace halfdisk {
+namespace {
+
+void transport(const Ui& ui) {
+    const AppState& state = ui.state;
+    const Playback& playback = state.playback;
+    const std::size_t count = state.eventCount();
+    ImGui::BeginDisabled(!state.isUnlocked(Control::step) && !playback.stepping);
+    if (button(ui.widgets, "Start")) ui.commands.push_back(SetEvent{0});
+    tooltip("to the first step (Home)");
+    ImGui::SameLine();
+    if (button(ui.widgets, "Back")) ui.commands.push_back(StepEvents{-1});
+    tooltip("one step back (left arrow)");
+    ImGui::SameLine();
+    if (button(ui.widgets, "Step")) ui.commands.push_back(StepEvents{+1});
+    tooltip("one step on (right arrow)");
+    ImGui::SameLine();
+    if (button(ui.widgets, playback.playing ? "Pause" : "Play")) ui.commands.push_back(TogglePlay{});
+    tooltip("step by step by itself (space)");
+    ImGui::SameLine();
+    if (button(ui.widgets, "End")) ui.commands.push_back(SetEvent{count});
+    tooltip("to the last step (End)");
+    ImGui::EndDisabled();
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    text(ui.widgets,
+         playback.stepping ? fmt::format("{} / {}", std::min(playback.event, count), count) : "whole run");
+}
+
+void stepWords(const Ui& ui) {
+    const StepText words = describeStep(ui.state);
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float line = ImGui::GetFontSize() + 2 * ui.scale;
+    ImGui::Dummy({ImGui::GetContentRegionAvail().x, 2 * line});
+    const std::string first = words.where.empty() ? (ui.state.playback.stepping ? "Press Step to begin." : "")
+                                                  : words.where + ": " + words.what;
+    drawText(ui, origin, ui.palette.ink, first);
+    drawText(ui, {origin.x, origin.y + line}, ui.palette.accent, words.values, Align::left, ui.fonts.code);
+}
+
+/// Whether the step's own `listing` asks for this line to be marked.
+bool isMarked(const AppState& state, int number) {
+    const Step* step = state.currentStep();
+    return step && number > 0 &&
+           std::find(step->listing.begin(), step->listing.end(), number) != step->listing.end();
+}
+
+void codeLine(const Ui& ui, const ListingLine& line, float width, bool lit, bool marked) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    ImFont* font = ui.fonts.code;
+    const float height = font->FontSize + 2 * ui.scale, gutter = textSize("000 ", font).x;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 end{origin.x + width, origin.y + height};
+    if (lit)
+        list.AddRectFilled(origin, end, ui.palette.currentLine);
+    else if (marked)
+        list.AddRectFilled(origin, end, withOpacity(ui.palette.halfDisk, 0.28f));
+    if (line.number > 0) {
+        const std::string name = fmt::format("{:03}", line.number);
+        if (ImGui::InvisibleButton(fmt::format("line{}##{}", line.number, origin.y).c_str(), {width, height}))
+            ui.commands.push_back(JumpToLine{line.number});
+        markItem(ui.widgets, "line " + name);
+        tooltip("line of the published listing; click: on to the next step there");
+        drawText(ui, {origin.x, origin.y + ui.scale}, ui.palette.inkSoft, name, Align::left, font);
+    } else {
+        ImGui::Dummy({width, height});
+    }
+    const ImU32 color = line.comment ? ui.palette.normal : ui.palette.ink;
+    drawText(ui, {origin.x + gutter, origin.y + ui.scale}, color, line.text, Align::left, font);
+}
+
+}  // namespace
+
+void codePanel(const Ui& ui, ImVec2 size) {
+    const AppState& state = ui.state;
+    beginChild("code", size, false);
+    transport(ui);
+    stepWords(ui);
+
+    const bool printed = state.settings.defects != DefectSet{};
+    const Listing& listing = printed ? ui.listings.asPrinted : ui.listings.corrected;
+    const Event* event = currentEvent(state);
+    const int lit = event ? listingLine(event->kind) : 0;
+
+    beginChild("source", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+    float width = ImGui::GetContentRegionAvail().x;
+    for (const ListingLine& line : listing)
+        width = std::max(width, textSize(line.text, ui.fonts.code).x + textSize("000  ", ui.fonts.code).x);
+    bool firstMarked = true;
+    for (const ListingLine& line : listing) {
+        const bool isLit = lit > 0 && line.number == lit;
+        const bool marked = isMarked(state, line.number);
+        if (isLit || (!event && marked && firstMarked)) {
+            firstMarked = false;
+            const float top = ImGui::GetCursorPosY(), page = ImGui::GetWindowHeight();
+            const float scroll = ImGui::GetScrollY();
+            const float margin = 3 * ImGui::GetFontSize();
+            if (top < scroll + margin || top > scroll + page - 2 * margin)
+                ImGui::SetScrollY(std::max(0.0f, top - page / 3));
+        }
+        codeLine(ui, line, width, isLit, marked);
+    }
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
+    ImGui::EndChild();
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,226 @@
+#include "app/commands.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "lessons/lesson_file.h"
+
+namespace halfdisk {
+namespace {
+
+void askAnew(AppState& state) {
+    ++state.questionId;
+    state.playback.playing = false;
+    state.playback.event = 0;
+}
+
+void enterStep(AppState& state, std::size_t step) {
+    const Step& entered = state.lesson->steps[step];
+    state.step = step;
+    state.show = entered.show;
+    state.answerShown = false;
+    state.grip = Grip::none;
+    if (state.sceneOverride.empty()) {
+        state.at = entered.values.at;
+    } else {
+        state.at = WallPoint{0, 0.5};
+    }
+    state.settings = entered.values.settings;
+    askAnew(state);
+    const bool stepping = entered.unlock == Control::step || entered.values.event > 0;
+    state.playback = {stepping, entered.values.event, false, 0.0f};
+}
+
+void showScene(AppState& state, SceneDescription description) {
+    auto prepared = std::make_shared<const PreparedScene>(std::move(description));
+    if (prepared->scene.segments.empty())
+        throw InputError("the scene has no walls to stand on, expected at least one");
+    state.scene = std::move(prepared);
+    state.fitCamera = true;
+}
+
+void showLesson(AppState& state, Lesson lesson, std::size_t step) {
+    const bool sameScene =
+        state.scene && state.sceneOverride.empty() && state.scene->description == lesson.scene;
+    if (!sameScene && state.sceneOverride.empty()) showScene(state, lesson.scene);
+    state.lesson = std::move(lesson);
+    enterStep(state, std::min(step, state.lesson->steps.size() - 1));
+}
+
+void goTo(AppState& state, const LessonRef& ref) {
+    const LessonEntry& entry = findLesson(state.lessons, ref);
+    Lesson lesson = loadLesson(entry.path);
+    const std::size_t step = stepIndex(lesson, ref);
+    showLesson(state, std::move(lesson), step);
+}
+
+void showSceneAlone(AppState& state, const std::filesystem::path& file) {
+    showScene(state, loadScene(file));
+    state.lesson.reset();
+    state.step = 0;
+    state.sceneOverride = file;
+    state.at = WallPoint{0, 0.5};
+    state.show = {};
+    for (const View view : {View::halfdisk, View::rays, View::integrand, View::error, View::histogram,
+                            View::exact, View::numbers})
+        state.show.set(view, true);
+    askAnew(state);
+    state.playback.stepping = false;
+}
+
+void openAny(AppState& state, const std::filesystem::path& file) {
+    if (!parseLessonFileName(file)) return showSceneAlone(state, file);
+    state.sceneOverride.clear();
+    showLesson(state, loadLesson(file), 0);
+}
+
+void reload(AppState& state) {
+    state.lessons = listLessons(state.lessonsFolder);
+    if (!state.sceneOverride.empty()) {
+        const WallPoint at = state.at;
+        showScene(state, loadScene(state.sceneOverride));
+        state.at = at.segment < state.scene->scene.segments.size() ? at : WallPoint{0, 0.5};
+        askAnew(state);
+    }
+    if (state.lesson) showLesson(state, loadLesson(state.lesson->file), state.step);
+    state.banner.clear();
+}
+
+void stepEvents(AppState& state, int by) {
+    const std::size_t count = state.eventCount();
+    Playback& playback = state.playback;
+    if (!playback.stepping) {  // begin at the end that is nearer to where the step goes
+        playback.stepping = true;
+        playback.event = by > 0 ? 0 : count;
+    }
+    const auto moved = static_cast<std::ptrdiff_t>(playback.event) + by;
+    playback.event =
+        static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(moved, 0, static_cast<std::ptrdiff_t>(count)));
+}
+
+void jumpToLine(AppState& state, int line) {
+    const std::size_t count = state.eventCount();
+    if (count == 0) return;
+    const std::size_t start = state.playback.stepping ? state.playback.event : 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t k = (start + i) % count;
+        if (listingLine(state.answer->record->events[k].kind) != line) continue;
+        state.playback = {true, k + 1, false, 0.0f};
+        return;
+    }
+}
+
+template <class... Cases>
+struct Overload : Cases... {
+    using Cases::operator()...;
+};
+template <class... Cases>
+Overload(Cases...) -> Overload<Cases...>;
+
+/// Does all of `change` or, if it throws, none of it.
+void attempt(AppState& state, const auto& change) {
+    AppState next = state;
+    change(next);
+    state = std::move(next);
+}
+
+void applyUnchecked(AppState& state, const Command& command) {
+    std::visit(Overload{
+                   [&](const GoTo& c) {
+                       attempt(state, [&](AppState& next) {
+                           next.sceneOverride.clear();
+                           goTo(next, {c.lesson, static_cast<int>(c.step) + 1});
+                       });
+                   },
+                   [&](NextStep) {
+                       if (state.lesson && state.step + 1 < state.lesson->steps.size())
+                           enterStep(state, state.step + 1);
+                   },
+                   [&](PreviousStep) {
+                       if (state.lesson && state.step > 0) enterStep(state, state.step - 1);
+                   },
+                   [&](ResetStep) {
+                       if (state.lesson) enterStep(state, state.step);
+                       state.fitCamera = true;
+                   },
+                   [&](const OpenScene& c) {
+                       attempt(state, [&](AppState& next) { showSceneAlone(next, c.file); });
+                   },
+                   [&](const OpenFile& c) { attempt(state, [&](AppState& next) { openAny(next, c.file); }); },
+                   [&](Reload) { attempt(state, reload); },
+                   [&](const SetSettings& c) {
+                       if (state.settings == c.settings) return;
+                       state.settings = c.settings;
+                       askAnew(state);
+                   },
+                   [&](const MovePoint& c) {
+                       if (state.at == c.at || c.at.segment >= state.scene->scene.segments.size()) return;
+                       state.at = {c.at.segment, std::clamp(c.at.t, 0.0, 1.0)};
+                       askAnew(state);
+                   },
+                   [&](SetEvent c) {
+                       state.playback = {true, std::min(c.event, state.eventCount()), false, 0.0f};
+                   },
+                   [&](StepEvents c) { stepEvents(state, c.by); },
+                   [&](JumpToLine c) { jumpToLine(state, c.line); },
+                   [&](ShowWholeRun) { state.playback = {}; },
+                   [&](TogglePlay) {
+                       Playback& playback = state.playback;
+                       playback.playing = !playback.playing;
+                       if (playback.playing && (!playback.stepping || playback.event >= state.eventCount()))
+                           playback.event = 0;
+                       playback.stepping = true;
+                   },
+                   [&](const SetCamera& c) { state.camera = c.camera; },
+                   [&](FitCamera) { state.fitCamera = true; },
+                   [&](SetGrip c) { state.grip = c.grip; },
+                   [&](SetUiScale c) { state.uiScale = std::clamp(c.scale, 0.5f, 4.0f); },
+                   [&](SetView c) { state.show.set(c.view, c.on); },
+                   [&](RevealAnswer) { state.answerShown = true; },
+                   [&](UnlockAll c) { state.unlockAll = c.on; },
+                   [&](ToggleHelp) { state.helpShown = !state.helpShown; },
+                   [&](DismissBanner) { state.banner.clear(); },
+               },
+               command);
+}
+
+}  // namespace
+
+void apply(AppState& state, const Command& command) {
+    try {
+        applyUnchecked(state, command);
+    } catch (const std::exception& error) {
+        state.banner = error.what();
+    }
+}
+
+AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optional<LessonRef>& ref,
+                    const std::filesystem::path& scene) {
+    AppState state;
+    state.lessonsFolder = lessonsFolder;
+    state.lessons = listLessons(lessonsFolder);
+    if (!scene.empty()) {
+        showScene(state, loadScene(scene));
+        state.sceneOverride = scene;
+    }
+    if (ref) {
+        goTo(state, *ref);
+        return state;
+    }
+    for (const LessonEntry& entry : state.lessons) {
+        if (!entry.error.empty()) continue;
+        goTo(state, {entry.slug, 1});
+        return state;
+    }
+    throw InputError(lessonsFolder.string() + ": no lesson that can be read, expected files NN-name.toml");
+}
+
+AppState openScene(const std::filesystem::path& lessonsFolder, const std::filesystem::path& scene) {
+    AppState state;
+    state.lessonsFolder = lessonsFolder;
+    state.lessons = listLessons(lessonsFolder);
+    showSceneAlone(state, scene);
+    return state;
+}
+
+}  // namespace halfdisk

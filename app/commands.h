@@ -1,0 +1,83 @@
+// What can be done? Panels return commands; they are applied between frames, and tests can apply them too.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "app/app_state.h"
+
+namespace halfdisk {
+
+struct GoTo {
+    std::string lesson;  ///< slug or number
+    std::size_t step = 0;
+};
+struct NextStep {};
+struct PreviousStep {};
+struct ResetStep {};
+struct OpenScene {
+    std::filesystem::path file;
+};
+struct OpenFile {
+    std::filesystem::path file;  ///< a lesson or a scene, told apart by what is in it
+};
+struct Reload {};  ///< read the files again; the step stays
+struct SetSettings {
+    Settings settings;
+};
+struct MovePoint {
+    WallPoint at;
+};
+struct SetEvent {
+    std::size_t event;
+};
+struct StepEvents {
+    int by;  ///< +1: the next event, -1: the one before
+};
+struct JumpToLine {
+    int line;  ///< of the published listing: forward to the next event there, round the end
+};
+struct ShowWholeRun {};
+struct TogglePlay {};
+struct SetCamera {
+    Camera camera;
+};
+struct FitCamera {};
+struct SetGrip {
+    Grip grip;
+};
+struct SetUiScale {
+    float scale;
+};
+struct SetView {
+    View view;
+    bool on;
+};
+struct RevealAnswer {};
+struct UnlockAll {
+    bool on;
+};
+struct ToggleHelp {};
+struct DismissBanner {};
+
+using Command =
+    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload, SetSettings, MovePoint,
+                 SetEvent, StepEvents, JumpToLine, ShowWholeRun, TogglePlay, SetCamera, FitCamera, SetGrip,
+                 SetUiScale, SetView, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
+using Commands = std::vector<Command>;
+
+/// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.
+void apply(AppState& state, const Command& command);
+
+/// A lesson at a step; without `ref` the first one that can be read. `scene`, if not empty, replaces the
+/// lesson's own. Throws InputError.
+AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optional<LessonRef>& ref,
+                    const std::filesystem::path& scene = {});
+
+/// A scene without a lesson: everything is unlocked. Throws InputError.
+AppState openScene(const std::filesystem::path& lessonsFolder, const std::filesystem::path& scene);
+
+}  // namespace halfdisk

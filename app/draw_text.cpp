@@ -1,0 +1,37 @@
+#include "app/draw_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace halfdisk {
+
+ImVec2 textSize(std::string_view words, ImFont* font) {
+    ImFont* used = font ? font : ImGui::GetFont();
+    return used->CalcTextSizeA(used->FontSize, FLT_MAX, 0.0f, words.data(), words.data() + words.size());
+}
+
+ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view words, Align align, ImFont* font) {
+    ImFont* used = font ? font : ImGui::GetFont();
+    const ImVec2 size = textSize(words, used);
+    if (align == Align::middle) at.x -= size.x / 2;
+    if (align == Align::right) at.x -= size.x;
+    at = {std::floor(at.x), std::floor(at.y)};
+    ImGui::GetWindowDrawList()->AddText(used, used->FontSize, at, color, words.data(),
+                                        words.data() + words.size());
+    mark(ui.widgets, words, at, {at.x + size.x, at.y + size.y}, WidgetKind::text);
+    return size;
+}
+
+std::string shown(double value) {
+    if (value == 0.0) return "0";
+    return fmt::format("{:.4g}", value);
+}
+
+std::string shown(const Rgb& value) {
+    const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
+    if (same(value.x, value.y) && same(value.x, value.z)) return shown(value.x);
+    return fmt::format("{:.3g}, {:.3g}, {:.3g}", value.x, value.y, value.z);
+}
+
+}  // namespace halfdisk

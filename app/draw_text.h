@@ -1,0 +1,27 @@
+// How are words put at a place of one's own choice, so that a test still sees them?
+#pragma once
+
+#include <imgui.h>
+
+#include <string_view>
+
+#include "app/frame.h"
+
+namespace halfdisk {
+
+/// Where the given point lies in the text: its left end, middle or right end.
+enum class Align : std::uint8_t { left, middle, right };
+
+/// One line in `font` (null: the current one), its top at `at`. Registered as a text. Returns its size.
+ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view words, Align align = Align::left,
+                ImFont* font = nullptr);
+
+ImVec2 textSize(std::string_view words, ImFont* font = nullptr);
+
+/// A number as it is shown: four significant digits, no needless zeros.
+std::string shown(double value);
+
+/// A colour as it is shown: one number if its channels agree, else three.
+std::string shown(const Rgb& value);
+
+}  // namespace halfdisk

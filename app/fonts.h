@@ -1,0 +1,37 @@
+// Which typefaces, sizes and characters does the screen show?
+#pragma once
+
+#include <string>
+
+struct ImFont;
+struct ImFontAtlas;
+
+namespace halfdisk {
+
+/// Where the font files lie; see assets/fonts.cmake.
+struct FontFiles {
+    std::string prose, strong, emphasis, symbols, code, formula;
+};
+
+/// The files found when the program was built.
+FontFiles installedFontFiles();
+
+/// Heights of a line at scale 1, in pixels; the capital letters are about 0.6 of it.
+inline constexpr float kProsePixels = 17, kCodePixels = 15, kTitlePixels = 24, kFormulaPixels = 19;
+
+/// Never null. Owned by the atlas; valid until the fonts are loaded again.
+struct Fonts {
+    ImFont* prose = nullptr;     ///< also ImGui's default font
+    ImFont* strong = nullptr;    ///< prose in bold
+    ImFont* emphasis = nullptr;  ///< prose in italics
+    ImFont* code = nullptr;      ///< monospaced
+    ImFont* title = nullptr;     ///< large and bold
+    ImFont* formula = nullptr;   ///< with serifs
+    std::string problem;         ///< empty, or which files could not be used and what is shown instead
+};
+
+/// Replaces all fonts of `atlas` and rasterises them for `uiScale` (1 ... 3 and more). A missing or broken
+/// file is replaced by the next best; `problem` says so. The renderer must upload the atlas afterwards.
+Fonts loadFonts(ImFontAtlas& atlas, float uiScale, const FontFiles& files = installedFontFiles());
+
+}  // namespace halfdisk

@@ -1,0 +1,79 @@
+// Which keys are there, and what went wrong? The help over everything, and the bar for messages.
+#include <array>
+#include <string_view>
+
+#include "app/draw_text.h"
+#include "app/imgui_compat.h"
+#include "app/panels.h"
+
+namespace halfdisk {
+namespace {
+
+struct KeyHelp {
+    std::string_view keys, meaning;
+};
+
+constexpr std::array kKeys{
+    KeyHelp{"Page Down, N", "next step of the lesson"},
+    KeyHelp{"Page Up, B", "previous step of the lesson"},
+    KeyHelp{"R", "reset to how the step began"},
+    KeyHelp{"\u2192  \u2190", "step forward / back through castRay"},
+    KeyHelp{"Shift \u2192  \u2190", "ten steps at once"},
+    KeyHelp{"Space", "play or pause"},
+    KeyHelp{"Home  End", "first / last step of the run"},
+    KeyHelp{"W", "show the whole run at once"},
+    KeyHelp{"\u2191  \u2193", "double / halve N, when unlocked"},
+    KeyHelp{"[  ]", "move P along its wall, when unlocked"},
+    KeyHelp{"D  Shift D", "one scattering more / fewer, when unlocked"},
+    KeyHelp{"S", "next seed, when unlocked"},
+    KeyHelp{"A", "show the answer to the question"},
+    KeyHelp{"U", "unlock all controls, or lock them again"},
+    KeyHelp{"F", "fit the scene into the canvas"},
+    KeyHelp{"G", "grid on / off"},
+    KeyHelp{"Ctrl +  Ctrl -", "everything larger / smaller"},
+    KeyHelp{"? or F1", "this help"},
+    KeyHelp{"Mouse", "drag P; drag the canvas to pan; wheel to zoom"},
+    KeyHelp{"Double click", "on a number: type it exactly"},
+};
+
+}  // namespace
+
+void helpOverlay(const Ui& ui) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({screen.x / 2, screen.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+    ImGui::SetNextWindowSizeConstraints({0, 0}, {0.95f * screen.x, 0.95f * screen.y});
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin("Keys", nullptr,
+                 ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
+                     ImGuiWindowFlags_NoSavedSettings);
+    for (const KeyHelp& key : kKeys) {
+        ImGui::PushFont(ui.fonts.strong);
+        text(ui.widgets, key.keys);
+        ImGui::PopFont();
+        ImGui::SameLine(9.5f * ImGui::GetFontSize());
+        text(ui.widgets, key.meaning);
+    }
+    if (button(ui.widgets, "Close")) ui.commands.push_back(ToggleHelp{});
+    ImGui::End();
+}
+
+void bannerBar(const Ui& ui) {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos({0.0f, screen.y}, ImGuiCond_Always, {0.0f, 1.0f});
+    ImGui::SetNextWindowSizeConstraints({screen.x, 0.0f}, {screen.x, 0.4f * screen.y});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.palette.error);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.panel);
+    ImGui::SetNextWindowFocus();
+    ImGui::Begin("Message", nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
+                     ImGuiWindowFlags_NoSavedSettings);
+    textWrapped(ui.widgets, ui.state.banner);
+    ImGui::PopStyleColor();
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.ink);
+    if (button(ui.widgets, "Dismiss")) ui.commands.push_back(DismissBanner{});
+    ImGui::PopStyleColor();
+    ImGui::End();
+    ImGui::PopStyleColor();
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,72 @@
+// What does the screen know about the light at P? Everything that is computed behind the frame, as plain
+// data.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/prepared_scene.h"
+#include "core/estimate.h"
+#include "core/recorder.h"
+
+namespace halfdisk {
+
+/// What is asked: the light at a wall point, by these settings.
+struct LightQuestion {
+    std::uint64_t id = 0;  ///< later questions have larger ones
+    std::shared_ptr<const PreparedScene> scene;
+    WallPoint at;
+    Settings settings;
+};
+
+/// Light that arrives along one direction of the half-disk.
+struct IntegrandPoint {
+    double theta;  ///< rad from the tangent
+    Rgb radiance;  ///< W / (m rad)
+};
+
+/// Error of the estimate of E after N samples.
+struct ErrorPoint {
+    double samples;
+    double rms;     ///< W / m, mean of the channels, over many runs
+    double spread;  ///< one standard error of rms
+};
+
+/// Grows stage by stage; each stage publishes a new copy. The frame only reads.
+struct LightAnswer {
+    LightQuestion asked;
+    ShadedPoint point;  ///< P and N
+    std::uint64_t rays = 0;
+    bool tooManyRays = false;  ///< `rays` would be needed, so nothing was cast
+
+    // stage 1: one run of N samples, every step recorded
+    std::shared_ptr<const Record> record;
+    Irradiance estimate;
+    Rgb radiance{0.0};                 ///< that P's wall sends out
+    std::vector<Rgb> contributions;    ///< of each first-bounce sample, light samples excluded
+    std::optional<Rgb> standardError;  ///< of the run, from its own samples; none for dependent samples
+    std::uint64_t nonFinite = 0;
+
+    // stage 2: what is exactly known
+    std::optional<Rgb> exact;  ///< E
+    std::vector<IntegrandPoint> integrand;
+    std::optional<ExactEstimate>
+        oneSample;  ///< expectation and variance of one half-disk sample, where predicted
+
+    // stage 3: many runs
+    Statistics samples;               ///< of single first-bounce samples
+    Statistics runs;                  ///< of whole runs of N
+    std::vector<double> histogramOf;  ///< single contributions, mean of the channels, up to a few thousand
+    std::vector<ErrorPoint> errors;
+
+    bool complete = false;
+};
+
+/// One number for a colour in plots.
+inline double gray(const Rgb& c) {
+    return (c.x + c.y + c.z) / 3.0;
+}
+
+}  // namespace halfdisk

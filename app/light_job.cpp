@@ -1,0 +1,79 @@
+#include "app/light_job.h"
+
+#include <utility>
+
+#include "app/light_stages.h"
+
+namespace halfdisk {
+
+LightJob::LightJob() : thread_([this] { run(); }) {}
+
+LightJob::~LightJob() {
+    {
+        const std::lock_guard lock(mutex_);
+        quit_ = true;
+        cancelled_ = true;
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void LightJob::ask(LightQuestion question) {
+    {
+        const std::lock_guard lock(mutex_);
+        waiting_ = std::move(question);
+        if (!finishingFirstPicture_) cancelled_ = true;
+    }
+    changed_.notify_all();
+}
+
+std::shared_ptr<const LightAnswer> LightJob::latest() const {
+    const std::lock_guard lock(mutex_);
+    return latest_;
+}
+
+bool LightJob::idle() const {
+    const std::lock_guard lock(mutex_);
+    return !waiting_ && !working_;
+}
+
+void LightJob::waitUntilIdle() const {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !waiting_ && !working_; });
+}
+
+void LightJob::publish(const LightAnswer& answer) {
+    auto copy = std::make_shared<const LightAnswer>(answer);
+    const std::lock_guard lock(mutex_);
+    latest_ = std::move(copy);
+}
+
+void LightJob::run() {
+    ReferenceCache references;
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [this] { return quit_ || waiting_; });
+        if (quit_) return;
+        LightAnswer answer;
+        answer.asked = *std::exchange(waiting_, std::nullopt);
+        working_ = true;
+        cancelled_ = false;
+        finishingFirstPicture_ = isQuick(answer.asked);
+        lock.unlock();
+
+        recordRun(answer, cancelled_);
+        finishingFirstPicture_ = false;
+        if (!cancelled_) publish(answer);
+        const auto superseded = [&] {
+            const std::lock_guard guard(mutex_);
+            return waiting_.has_value() || quit_;
+        };
+        if (!superseded()) refine(answer, references, cancelled_, [&] { publish(answer); });
+
+        lock.lock();
+        working_ = false;
+        changed_.notify_all();
+    }
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,168 @@
+#include "app/light_stages.h"
+
+#include <algorithm>
+
+namespace halfdisk {
+namespace {
+
+constexpr double kQuickRays = 1e6;
+constexpr std::size_t kIntegrandPoints = 361;
+constexpr double kSamplesForHistogram = 4096;
+constexpr double kRaysForHistogram = 3e6;
+constexpr double kMostSamplesOfErrorPlot = 4096;
+constexpr double kRaysPerErrorPoint = 1.5e6;
+constexpr std::uint64_t kRunsPerErrorPoint = 48;
+
+const PreparedScene& sceneOf(const LightAnswer& answer) {
+    return *answer.asked.scene;
+}
+
+/// Observer that keeps what each first-bounce sample adds.
+struct ContributionObserver : NoObserver {
+    std::vector<double>* values;
+    const std::atomic<bool>* cancelled;
+    std::uint32_t depth = 0;
+
+    bool keepGoing() const { return !cancelled->load(std::memory_order_relaxed); }
+    void enter(const ShadedPoint&, std::uint32_t at) { depth = at; }
+    void leave(const ShadedPoint&, const Irradiance&) { depth = depth > 0 ? depth - 1 : 0; }
+    void accumulate(std::uint32_t, const Rgb& added, const Rgb&) {
+        if (depth == 0) values->push_back(gray(added));
+    }
+};
+
+void findExact(LightAnswer& answer, ReferenceCache& references, const std::atomic<bool>& cancelled) {
+    const PreparedScene& scene = sceneOf(answer);
+    if (!scene.visibility) return;
+    const Settings& settings = answer.asked.settings;
+    const unsigned depth = settings.maxDepth;
+    constexpr unsigned kDeepestReference = 8;
+    if (depth > kDeepestReference) return;
+    if (references.scene != answer.asked.scene || !references.reference || references.depth < depth) {
+        references = {answer.asked.scene, depth, std::make_unique<Reference>(scene.index, depth, &cancelled)};
+        if (!references.reference->ready()) references = {};
+    }
+    if (!references.reference) return;
+    const Reference& reference = *references.reference;
+    answer.exact = reference.irradiance(answer.point, depth);
+    answer.integrand.clear();
+    for (std::size_t i = 0; i < kIntegrandPoints; ++i) {
+        const double theta = kPi * (static_cast<double>(i) + 0.5) / kIntegrandPoints;
+        answer.integrand.push_back({theta, reference.radiance(answer.point, theta, depth)});
+    }
+    if (depth <= 1 && settings.emitters == Emitters::hit && settings.sampler != Sampler::stratified)
+        answer.oneSample =
+            halfDiskEstimate(*scene.visibility, answer.point, settings.sampler, static_cast<int>(depth));
+}
+
+void runMany(LightAnswer& answer, const std::atomic<bool>& cancelled) {
+    const Settings& settings = answer.asked.settings;
+    const double raysPerRun = raysPerRepeat(sceneOf(answer).index, settings);
+    const double runs = std::min(kSamplesForHistogram / settings.samples, kRaysForHistogram / raysPerRun);
+    EstimateOptions options;
+    options.repeats = static_cast<std::uint64_t>(std::clamp(runs, 1.0, 256.0));
+    options.cancelled = &cancelled;
+    const Estimate many = estimateIrradiance(sceneOf(answer).index, answer.point, settings, options);
+    answer.samples = many.samples;
+    answer.runs = many.repeats;
+    answer.histogramOf.clear();
+    ContributionObserver observer{{}, &answer.histogramOf, &cancelled};
+    std::uint64_t rays = 0;
+    for (std::uint64_t run = 0; run < options.repeats && observer.keepGoing(); ++run)
+        gatherOnce(sceneOf(answer).index, answer.point, settings, run, SampleRange::all(settings.samples),
+                   observer, rays);
+}
+
+/// What each first-bounce sample gives by itself: its half-disk ray, also kept in `contributions`, and its
+/// points on lights.
+Statistics ownSamples(const Record& record, std::uint32_t N, std::vector<Rgb>& contributions) {
+    std::vector<Rgb> whole(N, Rgb(0.0));
+    for (const Event& event : record.events) {
+        if (event.depth != 0 || event.n >= N) continue;
+        if (event.kind == EventKind::accumulate) contributions.push_back(event.value);
+        if (event.kind == EventKind::accumulate) whole[event.n] += event.value;
+        if (event.kind == EventKind::light && event.segment != kNoSegment)
+            whole[event.n] += event.value * static_cast<double>(N);
+    }
+    Statistics own;
+    for (const Rgb& value : whole) own.add(value);
+    return own;
+}
+
+/// One point of the error plot; nothing if it would take too many rays.
+std::optional<ErrorPoint> measureError(const LightAnswer& answer, std::uint32_t N,
+                                       const std::atomic<bool>& cancelled) {
+    Settings settings = answer.asked.settings;
+    settings.samples = N;
+    const SegmentIndex& index = sceneOf(answer).index;
+    if (raysPerRepeat(index, settings) * static_cast<double>(kRunsPerErrorPoint) > kRaysPerErrorPoint)
+        return std::nullopt;
+    double sum = 0.0, squares = 0.0;
+    NoObserver observer;
+    std::uint64_t rays = 0;
+    for (std::uint64_t run = 0; run < kRunsPerErrorPoint; ++run) {
+        if (cancelled.load(std::memory_order_relaxed)) return std::nullopt;
+        const Irradiance E =
+            gatherOnce(index, answer.point, settings, run, SampleRange::all(N), observer, rays);
+        const double error = gray(E.total() - *answer.exact);
+        sum += error * error;
+        squares += error * error * error * error;
+    }
+    const double count = static_cast<double>(kRunsPerErrorPoint);
+    const double meanSquare = sum / count, rms = std::sqrt(meanSquare);
+    const double variance = std::max(0.0, squares / count - meanSquare * meanSquare) / count;
+    return ErrorPoint{static_cast<double>(N), rms, rms > 0.0 ? std::sqrt(variance) / (2.0 * rms) : 0.0};
+}
+
+}  // namespace
+
+bool isQuick(const LightQuestion& question) {
+    return raysPerRepeat(question.scene->index, question.settings) < kQuickRays;
+}
+
+void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
+    const LightQuestion& asked = answer.asked;
+    const PreparedScene& scene = *asked.scene;
+    answer.point = shadedPointOn(scene.index, asked.at.segment, asked.at.t);
+    const double rays = raysPerRepeat(scene.index, asked.settings);
+    if (rays > kMostRaysPerRun) {
+        answer.tooManyRays = true;
+        answer.rays = rays < 1e18 ? static_cast<std::uint64_t>(rays) : UINT64_MAX;
+        return;
+    }
+    constexpr std::size_t kEventLimit = 200'000;
+    Recorder recorder(kEventLimit, &cancelled);
+    answer.estimate = gatherOnce(scene.index, answer.point, asked.settings, 0,
+                                 SampleRange::all(asked.settings.samples), recorder, answer.rays);
+    answer.radiance =
+        outgoingRadiance(scene.index, answer.point, answer.estimate.total(), asked.settings.defects);
+    auto record = std::make_shared<Record>(recorder.take());
+    record->rays = answer.rays;
+    const Statistics own = ownSamples(*record, asked.settings.samples, answer.contributions);
+    answer.nonFinite = own.nonFinite;
+    if (asked.settings.sampler != Sampler::stratified && own.count > 1)
+        answer.standardError = own.standardError();
+    answer.record = std::move(record);
+}
+
+void refine(LightAnswer& answer, ReferenceCache& references, const std::atomic<bool>& cancelled,
+            const std::function<void()>& publish) {
+    if (!answer.tooManyRays) {
+        findExact(answer, references, cancelled);
+        if (cancelled) return;
+        publish();
+        runMany(answer, cancelled);
+        if (cancelled) return;
+        publish();
+        for (double N = 1; answer.exact && N <= kMostSamplesOfErrorPlot; N *= 2) {
+            const auto point = measureError(answer, static_cast<std::uint32_t>(N), cancelled);
+            if (cancelled) return;
+            if (!point) break;
+            answer.errors.push_back(*point);
+        }
+    }
+    answer.complete = true;
+    publish();
+}
+
+}  // namespace halfdisk

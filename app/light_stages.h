@@ -1,0 +1,32 @@
+// In which order is the light at P computed? First one recorded run, then the exact answer, then many runs.
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+#include "app/light_answer.h"
+
+namespace halfdisk {
+
+/// The reference of the scene asked about last: kept, since it takes longer than all else and does not depend
+/// on P.
+struct ReferenceCache {
+    std::shared_ptr<const PreparedScene> scene;
+    unsigned depth = 0;
+    std::unique_ptr<Reference> reference;
+};
+
+/// A window casts no more rays than this for one run of N samples; more is refused with the count.
+inline constexpr double kMostRaysPerRun = 2e8;
+
+/// Whether one run is short enough to be finished even when a newer question waits (some 50 ms).
+bool isQuick(const LightQuestion& question);
+
+/// Stage 1. When `cancelled` the answer is not to be used.
+void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled);
+
+/// Stages 2 and 3; calls `publish` after each that was completed. Sets answer.complete at the end.
+void refine(LightAnswer& answer, ReferenceCache& references, const std::atomic<bool>& cancelled,
+            const std::function<void()>& publish);
+
+}  // namespace halfdisk

@@ -1,0 +1,98 @@
+// What is the light at P? The estimate with its standard error beside the exact value, and what it cost.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "app/draw_text.h"
+#include "app/panels.h"
+
+namespace halfdisk {
+namespace {
+
+/// A name on the left, a value on the right, in one line each.
+void row(const Ui& ui, std::string_view name, std::string_view value, ImU32 color, std::string_view meaning) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::Dummy({width, ImGui::GetFontSize() + 2 * ui.scale});
+    if (!meaning.empty()) tooltip(meaning);
+    drawText(ui, origin, ui.palette.inkSoft, name);
+    drawText(ui, {origin.x + width, origin.y}, color, value, Align::right, ui.fonts.strong);
+}
+
+std::string withThousands(std::uint64_t n) {
+    std::string digits = std::to_string(n);
+    for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
+        digits.insert(static_cast<std::size_t>(i), "\u2009");
+    return digits;
+}
+
+/// The record's E once the playback has passed its end; before that only the steps are known.
+bool runIsFinished(const AppState& state) {
+    return !state.playback.stepping || state.playback.event >= state.eventCount();
+}
+
+void estimateRows(const Ui& ui, const LightAnswer& answer) {
+    const Palette& palette = ui.palette;
+    const Rgb E = answer.estimate.total();
+    std::string value = shown(E);
+    const std::optional<Rgb> error = answer.standardError ? answer.standardError
+                                     : answer.runs.count > 1
+                                         ? std::optional<Rgb>(glm::sqrt(answer.runs.variance()))
+                                         : std::nullopt;
+    if (error)
+        value +=
+            fmt::format(" \u00b1 {}", shown(gray(*error) < 1e-12 * gray(glm::abs(E)) ? Rgb(0.0) : *error));
+    row(ui, "estimate of E", value, palette.estimate,
+        "What the run of N samples says arrives at P (irradiance, W/m), plus or minus one standard error of "
+        "such a run.");
+    if (!ui.state.shows(View::exact)) return;
+    if (!answer.exact) {
+        row(ui, "exact E", answer.complete ? "not known" : "\u2026", palette.exact,
+            "Being computed by quadrature.");
+        return;
+    }
+    row(ui, "exact E", shown(*answer.exact), palette.exact,
+        "The integral itself, by quadrature between the edges of what P sees (W/m). Nothing random in it.");
+    const double exact = gray(*answer.exact), off = gray(E) - exact;
+    if (exact != 0.0) row(ui, "off by", fmt::format("{:+.1f} %", 100.0 * off / exact), palette.ink, "");
+}
+
+}  // namespace
+
+void numbersPanel(const Ui& ui) {
+    const AppState& state = ui.state;
+    const Palette& palette = ui.palette;
+    if (!state.answer) return row(ui, "estimate of E", "\u2026", palette.estimate, "");
+    const LightAnswer& answer = *state.answer;
+    if (answer.tooManyRays) {
+        ImGui::PushStyleColor(ImGuiCol_Text, palette.error);
+        textWrapped(
+            ui.widgets,
+            fmt::format("One run would cast {:.3g} rays: N rays at P, N from each of their ends, and so on, "
+                        "N^(maxDepth+1) in all. Lower N or maxDepth.",
+                        static_cast<double>(answer.rays)));
+        ImGui::PopStyleColor();
+        return;
+    }
+    if (runIsFinished(state)) {
+        estimateRows(ui, answer);
+        row(ui, "radiance L of the wall", shown(answer.radiance), palette.ink,
+            "What P's wall sends out: its emission plus albedo / 2 times E, in W/(m rad).");
+        row(ui, "rays cast", withThousands(answer.rays), palette.ink,
+            "Half-disk rays at all depths and shadow rays, in this one run.");
+    } else {
+        row(ui, "estimate of E", fmt::format("step {} of {}", state.playback.event, state.eventCount()),
+            palette.estimate, "The run is not finished yet: step on, or press End.");
+        if (state.shows(View::exact) && answer.exact)
+            row(ui, "exact E", shown(*answer.exact), palette.exact, "");
+    }
+    if (answer.nonFinite > 0)
+        row(ui, "samples not finite", withThousands(answer.nonFinite), palette.error,
+            "Samples that are infinite or not a number. They are left out of the mean, and should not "
+            "exist.");
+    if (answer.record && answer.record->truncated && state.playback.stepping)
+        row(ui, "record", "deeper steps left out", palette.error,
+            "The run has too many steps to keep them all.");
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,22 @@
+// Which panels are there? Each reads the state, draws itself into the current window, and appends commands.
+#pragma once
+
+#include "app/frame.h"
+
+namespace halfdisk {
+
+void lessonPanel(const Ui& ui);
+void controlsPanel(const Ui& ui);
+void numbersPanel(const Ui& ui);
+void codePanel(const Ui& ui, ImVec2 size);
+void canvasPanel(const Ui& ui, ImVec2 size);
+void integrandPlot(const Ui& ui, ImVec2 size);
+void errorPlot(const Ui& ui, ImVec2 size);
+void histogramPlot(const Ui& ui, ImVec2 size);
+void helpOverlay(const Ui& ui);
+void bannerBar(const Ui& ui);
+
+/// Keys that work wherever the pointer is, unless a text field has the keyboard.
+void keyboard(const Ui& ui);
+
+}  // namespace halfdisk

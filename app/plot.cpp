@@ -1,0 +1,137 @@
+#include "app/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/draw_text.h"
+#include "app/imgui_compat.h"
+
+namespace halfdisk {
+namespace {
+
+double fractionOf(const PlotAxis& axis, double value) {
+    if (!axis.logarithmic) return (value - axis.from) / (axis.to - axis.from);
+    return std::log(std::max(value, 1e-300) / axis.from) / std::log(axis.to / axis.from);
+}
+
+/// The smallest of 1, 2, 5 times a power of ten that is at least x.
+double niceStep(double x) {
+    const double power = std::pow(10.0, std::floor(std::log10(x)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= x * (1 - 1e-9)) return factor * power;
+    return 10.0 * power;
+}
+
+std::vector<Tick> linearTicks(const PlotAxis& axis, int about) {
+    const double step = axis.step > 0.0 ? axis.step : niceStep((axis.to - axis.from) / std::max(1, about));
+    std::vector<Tick> ticks;
+    const double first = std::ceil(axis.from / step - 1e-9);
+    constexpr int kMostTicks = 40;
+    for (int i = 0; i < kMostTicks; ++i) {
+        const double value = (first + i) * step;
+        if (value > axis.to + 1e-9 * step) break;
+        ticks.push_back({value, value == 0.0 ? "0" : fmt::format("{:.6g}", value)});
+    }
+    return ticks;
+}
+
+std::vector<Tick> logarithmicTicks(const PlotAxis& axis, int about) {
+    const int low = static_cast<int>(std::ceil(std::log10(axis.from) - 1e-9));
+    const int high = static_cast<int>(std::floor(std::log10(axis.to) + 1e-9));
+    const int every = std::max(1, (high - low) / std::max(1, about) + 1);
+    std::vector<Tick> ticks;
+    for (int power = low; power <= high; power += every) {
+        const double value = std::pow(10.0, power);
+        ticks.push_back({value, fmt::format("{:g}", value)});
+    }
+    return ticks;
+}
+
+}  // namespace
+
+std::vector<Tick> ticksOf(const PlotAxis& axis, int about) {
+    return axis.logarithmic ? logarithmicTicks(axis, about) : linearTicks(axis, about);
+}
+
+ImVec2 Plot::at(double xValue, double yValue) const {
+    const double u = std::clamp(fractionOf(x, xValue), -10.0, 10.0),
+                 v = std::clamp(fractionOf(y, yValue), -10.0, 10.0);
+    return {area.min.x + static_cast<float>(u) * area.width(),
+            area.max.y - static_cast<float>(v) * area.height()};
+}
+
+double Plot::xAt(float pixel) const {
+    const double u = (pixel - area.min.x) / area.width();
+    return x.logarithmic ? x.from * std::pow(x.to / x.from, u) : x.from + u * (x.to - x.from);
+}
+
+bool Plot::hovered() const {
+    return ImGui::IsWindowHovered() && area.contains(ImGui::GetIO().MousePos);
+}
+
+Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, const PlotAxis& x,
+               const PlotAxis& y) {
+    const Palette& palette = ui.palette;
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    ImGui::Dummy(size);
+    mark(ui.widgets, name, origin, {origin.x + size.x, origin.y + size.y});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float line = ImGui::GetFontSize(), gap = 4 * ui.scale;
+
+    Plot plot;
+    plot.x = x;
+    plot.y = y;
+    const float titleHeight = drawText(ui, origin, palette.ink, title, Align::left, ui.fonts.strong).y;
+    const float top = origin.y + titleHeight + line + 2 * gap,
+                bottom = origin.y + size.y - 2 * line - 2 * gap;
+    const int rows = std::max(2, static_cast<int>((bottom - top) / (2.2f * line)));
+    const std::vector<Tick> yTicks = ticksOf(y, rows);
+    float widest = 0.0f;
+    for (const Tick& tick : yTicks) widest = std::max(widest, textSize(tick.label).x);
+    plot.area = {{origin.x + widest + 3 * gap, top}, {origin.x + size.x - 3 * gap, bottom}};
+
+    drawText(ui, {origin.x, origin.y + titleHeight + gap / 2}, palette.inkSoft, y.label);
+    list.AddRectFilled(plot.area.min, plot.area.max, palette.panel);
+    for (const Tick& tick : yTicks) {
+        const ImVec2 p = plot.at(x.from, tick.value);
+        list.AddLine(p, {plot.area.max.x, p.y}, palette.grid, 1.0f);
+        drawText(ui, {p.x - gap, p.y - line / 2}, palette.inkSoft, tick.label, Align::right);
+    }
+    float lastRight = -1e9f;
+    for (const Tick& tick : ticksOf(x, std::max(2, static_cast<int>(plot.area.width() / (4.0f * line))))) {
+        const ImVec2 p = plot.at(tick.value, y.logarithmic ? y.from : y.from);
+        list.AddLine({p.x, plot.area.min.y}, {p.x, plot.area.max.y}, palette.grid, 1.0f);
+        const float half = textSize(tick.label).x / 2;
+        if (p.x - half < lastRight + gap || p.x + half > origin.x + size.x) continue;
+        lastRight = p.x + half;
+        drawText(ui, {p.x, plot.area.max.y + gap / 2}, palette.inkSoft, tick.label, Align::middle);
+    }
+    addRect(list, plot.area.min, plot.area.max, palette.inkSoft, 0.0f, 1.0f);
+    drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, plot.area.max.y + gap + line}, palette.inkSoft,
+             x.label, Align::middle);
+    return plot;
+}
+
+void plotLine(const Plot& plot, const std::vector<ImVec2>& points, ImU32 color, float thickness) {
+    if (points.size() < 2) return;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(plot.area.min, plot.area.max, true);
+    addPolyline(list, points, color, false, thickness);
+    list.PopClipRect();
+}
+
+void plotKey(const Ui& ui, const Plot& plot, int row, ImU32 color, const char* words) {
+    const float line = ImGui::GetFontSize(), gap = 4 * ui.scale, stroke = 16 * ui.scale;
+    const ImVec2 size = textSize(words);
+    const ImVec2 at{plot.area.max.x - size.x - 2 * gap,
+                    plot.area.min.y + gap + static_cast<float>(row) * line};
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled({at.x - stroke - 2 * gap, at.y}, {at.x + size.x + gap, at.y + line},
+                       withOpacity(ui.palette.panel, 0.85f));
+    list.AddLine({at.x - stroke - gap, at.y + line / 2}, {at.x - gap, at.y + line / 2}, color, 3 * ui.scale);
+    drawText(ui, at, ui.palette.ink, words);
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,182 @@
+// The three plots: light over the half-disk, error against N, and the histogram of contributions.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/draw_text.h"
+#include "app/panels.h"
+#include "app/plot.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+
+/// Degrees from the normal, positive to the right: what the axis shows for theta from the tangent.
+double fromNormal(double theta) {
+    return 90.0 - theta * kDegrees;
+}
+
+void emptyPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, const char* why) {
+    const Plot plot = beginPlot(ui, name, title, size, {}, {});
+    drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, (plot.area.min.y + plot.area.max.y) / 2},
+             ui.palette.inkSoft, why, Align::middle);
+}
+
+/// Events of depth 0 that the playback has passed.
+template <class Function>
+void forPassedEvents(const AppState& state, EventKind kind, const Function& f) {
+    if (!state.answer || !state.answer->record) return;
+    const auto& events = state.answer->record->events;
+    const std::size_t end =
+        state.playback.stepping ? std::min(state.playback.event, events.size()) : events.size();
+    for (std::size_t i = 0; i < end; ++i)
+        if (events[i].depth == 0 && events[i].kind == kind) f(events[i]);
+}
+
+}  // namespace
+
+void integrandPlot(const Ui& ui, ImVec2 size) {
+    constexpr const char* kTitle = "Light arriving at P";
+    const AppState& state = ui.state;
+    if (!state.answer || state.answer->integrand.empty())
+        return emptyPlot(ui, "integrand", kTitle, size, "being computed");
+    const LightAnswer& answer = *state.answer;
+    double top = 0.0;
+    for (const IntegrandPoint& p : answer.integrand) top = std::max(top, gray(p.radiance));
+    if (top <= 0.0) top = 1.0;
+    const Plot plot = beginPlot(ui, "integrand", kTitle, size,
+                                {-90.0, 90.0, false, "angle \u03b8 from the normal (degrees)", 30.0},
+                                {0.0, 1.3 * top, false, "W/(m rad)", 0.0});
+
+    std::vector<ImVec2> radiance, weighted;
+    for (const IntegrandPoint& p : answer.integrand) {
+        const double L = gray(p.radiance);
+        radiance.push_back(plot.at(fromNormal(p.theta), L));
+        weighted.push_back(plot.at(fromNormal(p.theta), L * std::sin(p.theta)));
+    }
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    for (std::size_t i = 1; i < weighted.size(); ++i)
+        list.AddQuadFilled(weighted[i - 1], weighted[i], {weighted[i].x, plot.area.max.y},
+                           {weighted[i - 1].x, plot.area.max.y}, withOpacity(ui.palette.light, 0.35f));
+    plotLine(plot, radiance, ui.palette.exact, 2 * ui.scale);
+    plotLine(plot, weighted, ui.palette.point, 2 * ui.scale);
+    if (state.shows(View::rays))
+        forPassedEvents(state, EventKind::sample, [&](const Event& event) {
+            const float x = plot.at(fromNormal(event.theta), 0.0).x;
+            list.AddLine({x, plot.area.max.y}, {x, plot.area.max.y - 8 * ui.scale}, ui.palette.sample,
+                         2 * ui.scale);
+        });
+    plotKey(ui, plot, 0, ui.palette.exact, "L(\u03b8)");
+    plotKey(ui, plot, 1, ui.palette.point, "L(\u03b8) cos\u03b8, whose area is E");
+    if (plot.hovered()) {
+        const double angle = plot.xAt(ImGui::GetIO().MousePos.x);
+        const auto index = static_cast<std::size_t>(std::clamp((90.0 - angle) / 180.0, 0.0, 0.999999) *
+                                                    static_cast<double>(answer.integrand.size()));
+        const IntegrandPoint& p = answer.integrand[index];
+        tooltip(fmt::format("\u03b8 = {:.0f}\u00b0\nL = {} W/(m rad)\nL cos\u03b8 = {}", angle,
+                            shown(p.radiance), shown(p.radiance * std::sin(p.theta))));
+    }
+}
+
+void errorPlot(const Ui& ui, ImVec2 size) {
+    constexpr const char* kTitle = "Error against N";
+    const AppState& state = ui.state;
+    if (!state.answer || state.answer->errors.size() < 2)
+        return emptyPlot(
+            ui, "error", kTitle, size,
+            !state.answer || !state.answer->complete ? "being measured" : "no exact value to compare with");
+    const LightAnswer& answer = *state.answer;
+    double low = 1e300, high = 0.0;
+    for (const ErrorPoint& p : answer.errors) {
+        if (p.rms <= 0.0) continue;
+        low = std::min(low, p.rms);
+        high = std::max(high, p.rms);
+    }
+    if (high <= 0.0) return emptyPlot(ui, "error", kTitle, size, "no error: every sample brings the same");
+    const double mostN = answer.errors.back().samples;
+    const Plot plot =
+        beginPlot(ui, "error", kTitle, size, {0.8, 1.25 * mostN, true, "N, samples per bounce", 0.0},
+                  {std::pow(10.0, std::floor(std::log10(low * 0.7))),
+                   std::pow(10.0, std::ceil(std::log10(high * 1.2))), true, "rms error of E, W/m", 0.0});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ErrorPoint& first = answer.errors.front();
+    plotLine(plot, {plot.at(1.0, first.rms), plot.at(1.25 * mostN, first.rms / std::sqrt(1.25 * mostN))},
+             ui.palette.inkSoft, 1.5f * ui.scale);
+    list.PushClipRect(plot.area.min, plot.area.max, true);
+    for (const ErrorPoint& p : answer.errors) {
+        if (p.rms <= 0.0) continue;
+        const ImVec2 at = plot.at(p.samples, p.rms);
+        list.AddLine(plot.at(p.samples, std::max(p.rms - p.spread, p.rms / 10)),
+                     plot.at(p.samples, p.rms + p.spread), ui.palette.estimate, 1.5f * ui.scale);
+        list.AddCircleFilled(at, 3.5f * ui.scale, ui.palette.estimate);
+    }
+    list.PopClipRect();
+    const double N = state.settings.samples;
+    if (N <= 1.25 * mostN) {
+        const float x = plot.at(N, plot.y.from).x;
+        list.AddLine({x, plot.area.min.y}, {x, plot.area.max.y}, withOpacity(ui.palette.accent, 0.5f),
+                     1.5f * ui.scale);
+    }
+    plotKey(ui, plot, 0, ui.palette.estimate, "48 runs each");
+    plotKey(ui, plot, 1, ui.palette.inkSoft, "1/\u221aN");
+    if (plot.hovered()) {
+        const double at = plot.xAt(ImGui::GetIO().MousePos.x);
+        const auto nearest =
+            std::min_element(answer.errors.begin(), answer.errors.end(), [&](const auto& a, const auto& b) {
+                return std::abs(std::log(a.samples / at)) < std::abs(std::log(b.samples / at));
+            });
+        tooltip(fmt::format("N = {:.0f}: rms error {} \u00b1 {}", nearest->samples, shown(nearest->rms),
+                            shown(nearest->spread)));
+    }
+}
+
+void histogramPlot(const Ui& ui, ImVec2 size) {
+    constexpr const char* kTitle = "What single samples bring";
+    const AppState& state = ui.state;
+    if (!state.answer || state.answer->histogramOf.empty())
+        return emptyPlot(ui, "histogram", kTitle, size, "being computed");
+    const std::vector<double>& values = state.answer->histogramOf;
+    double low = 0.0, high = 0.0;
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+    }
+    if (high <= low) high = low + 1.0;
+    constexpr std::size_t kBins = 32;
+    std::array<double, kBins> counts{};
+    double counted = 0.0;
+    for (const double value : values) {
+        if (!std::isfinite(value)) continue;
+        const auto bin = static_cast<std::size_t>((value - low) / (high - low) * kBins * 0.999999);
+        ++counts[bin];
+        ++counted;
+    }
+    const double tallest = *std::max_element(counts.begin(), counts.end()) / counted;
+    const Plot plot =
+        beginPlot(ui, "histogram", kTitle, size, {low, high, false, "contribution to E, W/m", 0.0},
+                  {0.0, std::min(1.0, 1.15 * tallest) * 100.0, false, "% of samples", 0.0});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const double width = (high - low) / kBins;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        const ImVec2 a = plot.at(low + width * static_cast<double>(i), 0.0);
+        const ImVec2 b = plot.at(low + width * static_cast<double>(i + 1), 100.0 * counts[i] / counted);
+        if (counts[i] > 0)
+            list.AddRectFilled({a.x, b.y}, {b.x - ui.scale, a.y}, withOpacity(ui.palette.halfDisk, 0.9f));
+    }
+    forPassedEvents(state, EventKind::accumulate, [&](const Event& event) {
+        const float x = plot.at(gray(event.value), 0.0).x;
+        list.AddLine({x, plot.area.max.y}, {x, plot.area.max.y - 8 * ui.scale}, ui.palette.sample,
+                     2 * ui.scale);
+    });
+    double mean = 0.0;
+    for (const double value : values) mean += std::isfinite(value) ? value / counted : 0.0;
+    const float x = plot.at(mean, 0.0).x;
+    list.AddLine({x, plot.area.min.y}, {x, plot.area.max.y}, ui.palette.estimate, 2 * ui.scale);
+    plotKey(ui, plot, 0, ui.palette.estimate, "their mean");
+    plotKey(ui, plot, 1, ui.palette.sample, "this run");
+}
+
+}  // namespace halfdisk

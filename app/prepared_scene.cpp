@@ -1,0 +1,34 @@
+#include "app/prepared_scene.h"
+
+#include <utility>
+
+namespace halfdisk {
+namespace {
+
+Bounds boundsOf(const Scene& scene) {
+    Bounds bounds{Vec2(kInfinity), Vec2(-kInfinity)};
+    const auto include = [&](Vec2 p) {
+        bounds.min = glm::min(bounds.min, p);
+        bounds.max = glm::max(bounds.max, p);
+    };
+    for (const Segment& s : scene.segments) {
+        include(s.a);
+        include(s.b);
+    }
+    for (const DeltaLight& light : scene.lights)
+        if (const auto* point = std::get_if<PointLight>(&light)) include(point->position);
+    if (bounds.min.x > bounds.max.x) return {};
+    return bounds;
+}
+
+}  // namespace
+
+PreparedScene::PreparedScene(SceneDescription described)
+    : description(std::move(described)),
+      scene(expandScene(description)),
+      index(scene),
+      bounds(boundsOf(scene)) {
+    if (scene.segments.size() <= Reference::kMostWalls) visibility.emplace(index);
+}
+
+}  // namespace halfdisk

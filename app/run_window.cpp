@@ -1,0 +1,54 @@
+// What happens while the window is open? Frames, and now and then a look at the files on the disk.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "app/cli_actions.h"
+#include "app/commands.h"
+#include "app/file_watch.h"
+#include "app/frame.h"
+#include "app/window_host.h"
+
+namespace halfdisk {
+namespace {
+
+AppState openRequested(const WindowRequest& request) {
+    if (request.scene && !request.lesson) return openScene(request.lessonsFolder, *request.scene);
+    return openLesson(request.lessonsFolder, request.lesson, request.scene.value_or(std::filesystem::path()));
+}
+
+}  // namespace
+
+int runWindow(const WindowRequest& request) {
+    Session session;
+    session.state = openRequested(request);
+
+    WindowOptions options;
+    options.onDrop = [&](const std::vector<std::filesystem::path>& files) {
+        if (!files.empty()) apply(session.state, OpenFile{files.front()});
+    };
+    std::string whyNot;
+    const auto host = WindowHost::open(options, whyNot);
+    if (!host) {
+        fmt::print(stderr,
+                   "halfdisk: no window could be opened: {}\n"
+                   "Pictures need no display: halfdisk tour -o DIR, or halfdisk screenshot LESSON:STEP -o "
+                   "FILE.png\n",
+                   whyNot);
+        return kExitFailure;
+    }
+    FileWatch watch;
+    constexpr int kFramesBetweenLooks = 20;
+    int sinceLook = 0;
+    host->run([&] {
+        if (++sinceLook >= kFramesBetweenLooks) {
+            sinceLook = 0;
+            if (watch.changed(session.state)) apply(session.state, Reload{});
+        }
+        frame(session, host->fonts(), host->fullScale());
+        if (session.state.uiScale != host->uiScale()) host->setUiScale(session.state.uiScale);
+    });
+    return kExitSuccess;
+}
+
+}  // namespace halfdisk

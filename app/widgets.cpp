@@ -1,0 +1,188 @@
+// Which widgets are on screen, and where?
+#include "app/widgets.h"
+
+#include <imgui_internal.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+
+#include "app/input_events.h"
+
+namespace halfdisk {
+
+namespace {
+
+std::string_view visibleLabel(std::string_view label) {
+    const std::size_t mark = label.find("##");
+    if (mark == std::string_view::npos) return label;
+    return mark > 0 ? label.substr(0, mark) : label.substr(label.find_first_not_of('#'));
+}
+
+Rect toRect(ImVec2 min, ImVec2 max) {
+    return {min.x, min.y, max.x, max.y};
+}
+
+std::string_view currentWindow() {
+    return visibleLabel(ImGui::GetCurrentWindowRead()->RootWindow->Name);
+}
+
+void note(WidgetRegistry& registry, std::string_view window, std::string_view label, const Rect& rect,
+          const Rect& target, WidgetKind kind) {
+    const ImRect& clip = ImGui::GetCurrentWindowRead()->ClipRect;
+    Widget widget;
+    widget.window = window;
+    widget.name = widget.window + "/" + std::string(visibleLabel(label));
+    widget.kind = kind;
+    widget.rect = rect;
+    widget.target = intersection(target, toRect(clip.Min, clip.Max));
+    widget.enabled = (ImGui::GetCurrentContext()->CurrentItemFlags & ImGuiItemFlags_Disabled) == 0;
+    registry.rects[widget.name] = widget.target;
+    registry.widgets.push_back(std::move(widget));
+}
+
+void noteItem(WidgetRegistry& registry, std::string_view window, std::string_view label, WidgetKind kind) {
+    const Rect rect = toRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    note(registry, window, label, rect, rect, kind);
+}
+
+/// For items with a frame of `width` that reacts, and a label on its right that does not.
+void noteFramed(WidgetRegistry& registry, std::string_view label, float width, WidgetKind kind) {
+    const Rect rect = toRect(ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+    Rect target = rect;
+    target.right = std::min(rect.right, rect.left + width);
+    note(registry, currentWindow(), label, rect, target, kind);
+}
+
+ImGuiSliderFlags sliderFlags(bool logarithmic) {
+    return ImGuiSliderFlags_AlwaysClamp |
+           (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
+}
+
+}  // namespace
+
+Rect intersection(const Rect& a, const Rect& b) {
+    return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right),
+            std::min(a.bottom, b.bottom)};
+}
+
+bool overlap(const Rect& a, const Rect& b) {
+    const Rect both = intersection(a, b);
+    return both.width() > 0 && both.height() > 0;
+}
+
+void WidgetRegistry::beginFrame() {
+    widgets.clear();
+    rects.clear();
+}
+
+const Widget* WidgetRegistry::find(std::string_view name) const {
+    const auto last =
+        std::find_if(widgets.rbegin(), widgets.rend(), [&](const Widget& w) { return w.name == name; });
+    return last == widgets.rend() ? nullptr : &*last;
+}
+
+void mark(WidgetRegistry& registry, std::string_view label, ImVec2 min, ImVec2 max, WidgetKind kind) {
+    note(registry, currentWindow(), label, toRect(min, max), toRect(min, max), kind);
+}
+
+void markItem(WidgetRegistry& registry, std::string_view label, WidgetKind kind) {
+    noteItem(registry, currentWindow(), label, kind);
+}
+
+void text(WidgetRegistry& registry, std::string_view words) {
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+    markItem(registry, words, WidgetKind::text);
+}
+
+void textWrapped(WidgetRegistry& registry, std::string_view words) {
+    ImGui::PushTextWrapPos(0.0f);
+    text(registry, words);
+    ImGui::PopTextWrapPos();
+}
+
+bool button(WidgetRegistry& registry, const char* label, ImVec2 size) {
+    const bool clicked = ImGui::Button(label, size);
+    markItem(registry, label, WidgetKind::button);
+    return clicked;
+}
+
+bool checkbox(WidgetRegistry& registry, const char* label, bool& value) {
+    const bool changed = ImGui::Checkbox(label, &value);
+    markItem(registry, label, WidgetKind::checkbox);
+    return changed;
+}
+
+bool toggle(WidgetRegistry& registry, const char* label, bool& value, ImVec2 size) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    ImGui::PushStyleColor(ImGuiCol_Button, style.Colors[value ? ImGuiCol_ButtonActive : ImGuiCol_FrameBg]);
+    const bool clicked = ImGui::Button(label, size);
+    ImGui::PopStyleColor();
+    markItem(registry, label, WidgetKind::toggle);
+    if (clicked) value = !value;
+    return clicked;
+}
+
+bool combo(WidgetRegistry& registry, const char* label, int& index, std::span<const std::string_view> names) {
+    const bool valid = index >= 0 && static_cast<std::size_t>(index) < names.size();
+    const std::string preview(valid ? names[static_cast<std::size_t>(index)] : std::string_view{});
+    const std::string window(currentWindow());
+    const float width = ImGui::CalcItemWidth();
+    const bool open = ImGui::BeginCombo(label, preview.c_str(), ImGuiComboFlags_HeightLargest);
+    if (!open) {
+        noteFramed(registry, label, width, WidgetKind::combo);
+        return false;
+    }
+    bool changed = false;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const bool selected = static_cast<std::size_t>(index) == i;
+        const std::string option(names[i]);
+        if (ImGui::Selectable(option.c_str(), selected) && !selected) {
+            index = static_cast<int>(i);
+            changed = true;
+        }
+        noteItem(registry, window, std::string(visibleLabel(label)) + "/" + option, WidgetKind::option);
+        if (selected) ImGui::SetItemDefaultFocus();
+    }
+    ImGui::EndCombo();
+    noteFramed(registry, label, width, WidgetKind::combo);
+    return changed;
+}
+
+bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int least, int most,
+               bool logarithmic) {
+    const float width = ImGui::CalcItemWidth();
+    bool changed;
+    {
+        const CtrlHeld typing(ImGui::GetIO(), ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
+        changed = ImGui::SliderInt(label, &value, least, most, "%d", sliderFlags(logarithmic));
+    }
+    noteFramed(registry, label, width, WidgetKind::slider);
+    return changed;
+}
+
+bool dragScalar(WidgetRegistry& registry, const char* label, ImGuiDataType type, void* value,
+                const void* least, const void* most, float speed, const char* format, bool logarithmic) {
+    const float width = ImGui::CalcItemWidth();
+    const bool changed =
+        ImGui::DragScalar(label, type, value, speed, least, most, format, sliderFlags(logarithmic));
+    noteFramed(registry, label, width, WidgetKind::number);
+    return changed;
+}
+
+bool inputText(WidgetRegistry& registry, const char* label, std::string& value) {
+    const float width = ImGui::CalcItemWidth();
+    const bool changed = ImGui::InputText(label, &value);
+    noteFramed(registry, label, width, WidgetKind::input);
+    return changed;
+}
+
+void tooltip(std::string_view words) {
+    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    ImGui::BeginTooltip();
+    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
+    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+    ImGui::PopTextWrapPos();
+    ImGui::EndTooltip();
+}
+
+}  // namespace halfdisk

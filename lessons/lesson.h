@@ -1,0 +1,116 @@
+// What is a lesson: its steps, what each shows and sets, and the one control that it unlocks?
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/settings.h"
+#include "lessons/prose.h"
+#include "lessons/scene_description.h"
+#include "lessons/wall_point.h"
+
+namespace halfdisk {
+
+/// What a step can show on the canvas and beside it.
+enum class View : std::uint8_t {
+    halfdisk,
+    rays,
+    tree,
+    integrand,
+    error,
+    histogram,
+    code,
+    exact,
+    numbers,
+    grid
+};
+
+/// What a step can unlock for the reader's hand.
+enum class Control : std::uint8_t { point, samples, depth, seed, sampler, emitters, defects, step };
+
+inline constexpr std::array<Named<View>, 10> kViews{{
+    {View::halfdisk, "halfdisk", "the half-disk over P and the sample points on its arc"},
+    {View::rays, "rays", "the sample rays, coloured by what they bring back"},
+    {View::tree, "tree", "the rays of the recursion, fading with depth"},
+    {View::integrand, "integrand", "the light that arrives at P against \u03b8"},
+    {View::error, "error", "the error against N"},
+    {View::histogram, "histogram", "the histogram of the contributions"},
+    {View::code, "code", "the source of castRay with the current line lit"},
+    {View::exact, "exact", "the exact value beside the estimate"},
+    {View::numbers, "numbers", "the estimate, its standard error and the count of rays"},
+    {View::grid, "grid", "a grid of one metre behind the scene"},
+}};
+
+inline constexpr std::array<Named<Control>, 8> kControls{{
+    {Control::point, "point", "drag P along the walls"},
+    {Control::samples, "samples", "the number of samples N"},
+    {Control::depth, "depth", "the depth of the recursion"},
+    {Control::seed, "seed", "the seed of the random numbers"},
+    {Control::sampler, "sampler", "how directions are drawn"},
+    {Control::emitters, "emitters", "how light from emitting walls is counted"},
+    {Control::defects, "defects", "the switches of the published listing's defects"},
+    {Control::step, "step", "step through the recorded run, forward and back"},
+}};
+
+/// A set of views, bit k = entry k of kViews.
+struct ViewSet {
+    std::uint16_t bits = 0;
+
+    constexpr bool has(View v) const { return (bits >> static_cast<unsigned>(v)) & 1u; }
+    constexpr void set(View v, bool on) {
+        const auto bit = static_cast<std::uint16_t>(1u << static_cast<unsigned>(v));
+        bits = static_cast<std::uint16_t>(on ? bits | bit : bits & ~bit);
+    }
+    constexpr bool operator==(const ViewSet&) const = default;
+};
+
+/// Lines of the published listing, counted from 1.
+inline constexpr int kListingLines = 34;
+
+/// A lesson runs on a classroom's machine at every step: less than castRay itself would take.
+inline constexpr std::uint64_t kMostLessonSamples = 4096;
+inline constexpr std::uint64_t kMostLessonDepth = 8;
+
+/// All that a step sets; what neither it nor the lesson's [defaults] name is at its initial value.
+struct StepValues {
+    Settings settings;
+    WallPoint at{0, 0.5};     ///< P, in the expanded scene; initially the middle of the first wall
+    std::uint32_t event = 0;  ///< position in the recorded run, 0 = its start
+    bool operator==(const StepValues&) const = default;
+};
+
+struct Question {
+    Prose ask;
+    Prose answer;
+    bool operator==(const Question&) const = default;
+};
+
+struct Step {
+    std::string title;
+    Prose prose;
+    std::vector<int> listing;  ///< lines of the published listing to highlight, 1 ... kListingLines
+    ViewSet show;
+    std::optional<Control> unlock;
+    StepValues values;
+    std::optional<Question> question;
+    bool operator==(const Step&) const = default;
+};
+
+struct Lesson {
+    int number = 0;    ///< NN of the file name NN-slug.toml: its place in the course
+    std::string slug;  ///< the rest: what scripts call it, also when numbers change
+    std::string title;
+    std::string section;  ///< heading of the published lesson that it teaches
+    std::filesystem::path file, scenePath;
+    SceneDescription scene;
+    std::vector<Term> terms;
+    std::vector<Step> steps;  ///< at least one
+    bool operator==(const Lesson&) const = default;
+};
+
+}  // namespace halfdisk

@@ -1,0 +1,57 @@
+// How is a lesson file read and checked?
+//
+// A lesson is lessons/NN-slug.toml:
+//
+//   title = "Gather"
+//   section = "heading of the published lesson that it teaches"
+//   scene = "scenes/gather.toml"   # relative to the lesson file
+//
+//   [defaults]                     # what every step starts from: the same keys as [step.set]
+//
+//   [[term]]                       # explained on hover where prose has [radiance]
+//   name = "radiance"
+//   meaning = "..."
+//
+//   [[step]]
+//   title = "Stand at P"
+//   prose = """..."""              # markup: see prose.h
+//   listing = [16, 17]             # lines of the published listing to highlight
+//   show = ["halfdisk", "rays"]    # kViews
+//   unlock = "samples"             # one of kControls
+//   [step.set]                     # samples, depth, seed, sampler, emitters, at = "floor:0.25",
+//   samples = 64                   # asPrinted = ["frame", "pdf"] or true, event
+//   [step.question]
+//   ask = "..."
+//   answer = "..."
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lessons/input_error.h"
+#include "lessons/lesson.h"
+
+namespace halfdisk {
+
+/// How parseLesson gets the scene that a lesson names; throws InputError.
+using SceneLoader = std::function<SceneDescription(const std::filesystem::path&)>;
+
+/// Reads TOML; `file` gives the number and the slug and where its scene is looked for. Throws InputError at
+/// the first thing that is wrong; errors within the scene file carry that file's name.
+Lesson parseLesson(std::string_view text, const std::filesystem::path& file, const SceneLoader& sceneLoader);
+
+/// Reads a lesson file and its scene file. Throws InputError.
+Lesson loadLesson(const std::filesystem::path& file);
+
+struct LessonFileName {
+    int number;
+    std::string slug;
+};
+
+/// NN-slug.toml taken apart, or nothing if the name has another form. A slug is never a number alone.
+std::optional<LessonFileName> parseLessonFileName(const std::filesystem::path& file);
+
+}  // namespace halfdisk

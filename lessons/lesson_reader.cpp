@@ -1,0 +1,250 @@
+// How does a lesson file become a Lesson, and what is refused on the way?
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "lessons/lesson_file.h"
+#include "lessons/scene_file.h"
+#include "lessons/table_reader.h"
+#include "lessons/text_file.h"
+#include "lessons/value_reader.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr TextRule kHeadingRule{200, false, false};
+constexpr TextRule kMeaningRule{1000, true, false};
+constexpr TextRule kProseRule{20'000, true, false};
+constexpr std::uint64_t kMostEvents = 1'000'000'000;
+
+WholeRule ruleOf(const NumberInfo& info, std::uint64_t most) {
+    return {info.least, std::min(info.most, most)};
+}
+
+/// Offset of a place in a text.
+std::size_t offsetOf(std::string_view text, TextPosition where) {
+    std::size_t at = 0;
+    for (int line = 1; line < where.line && at < text.size(); ++line)
+        at = std::min(text.find('\n', at), text.size()) + 1;
+    for (int column = 1; column < where.column && at < text.size(); ++column) {
+        do ++at;
+        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0u) == 0x80u);
+    }
+    return std::min(at, text.size());
+}
+
+class LessonReader {
+ public:
+    LessonReader(std::string_view text, std::filesystem::path path, const SceneLoader& sceneLoader)
+        : text_(text), path_(std::move(path)), file_(path_.string()), sceneLoader_(sceneLoader) {}
+
+    Lesson read() {
+        const TomlValue document = parseToml(text_, file_);
+        TableReader table(file_, std::get<TomlTable>(document.data), document.where, "a lesson file");
+        const TomlValue* title = table.required("title");
+        const TomlValue* section = table.required("section");
+        const TomlValue* scene = table.required("scene");
+        const TomlValue* defaults = table.optional("defaults");
+        const TomlValue* terms = table.optional("term");
+        const TomlValue* steps = table.required("step");
+        table.finish();
+
+        readFileName();
+        lesson_.title = readText(file_, "title", *title, kHeadingRule);
+        lesson_.section = readText(file_, "section", *section, kHeadingRule);
+        readScene(*scene);
+        if (defaults != nullptr) readValues("[defaults]", "defaults", *defaults, defaults_);
+        if (terms != nullptr)
+            for (const TomlValue& term : readArray(file_, "term", *terms, "tables [[term]]")) readTerm(term);
+        for (const TomlValue& step : readArray(file_, "step", *steps, "tables [[step]]")) readStep(step);
+        if (lesson_.steps.empty())
+            failAt(file_, steps->where, "\"step\" has no elements, expected at least one [[step]]");
+        return std::move(lesson_);
+    }
+
+ private:
+    void readFileName() {
+        const auto name = parseLessonFileName(path_);
+        if (!name) throw InputError(file_, "the file's name has no number and slug, expected NN-slug.toml");
+        lesson_.number = name->number;
+        lesson_.slug = name->slug;
+        lesson_.file = path_;
+    }
+
+    void readScene(const TomlValue& value) {
+        const std::string name = readText(file_, "scene", value, kHeadingRule);
+        lesson_.scenePath = path_.parent_path() / name;
+        try {
+            lesson_.scene = sceneLoader_(lesson_.scenePath);
+        } catch (const InputError& error) {
+            if (error.line > 0) throw;
+            failAt(file_, value.where, fmt::format("the scene cannot be used: {}", error.what()));
+        }
+        scene_ = expandScene(lesson_.scene);
+        if (scene_.segments.empty())
+            failAt(file_, value.where, "the scene has no walls, expected at least one: P stands on a wall");
+    }
+
+    /// The keys of [defaults] and of [step.set]; those that are there replace what `values` has.
+    void readValues(std::string what, std::string_view key, const TomlValue& value, StepValues& values) {
+        TableReader table(file_, readTable(file_, key, value), value.where, std::move(what));
+        const auto whole = [&](const NumberInfo& info, std::uint64_t most, auto& field) {
+            if (const TomlValue* number = table.optional(info.name))
+                field = static_cast<std::remove_reference_t<decltype(field)>>(
+                    readWhole(file_, info.name, *number, ruleOf(info, most)));
+        };
+        whole(kSamplesInfo, kMostLessonSamples, values.settings.samples);
+        whole(kMaxDepthInfo, kMostLessonDepth, values.settings.maxDepth);
+        whole(kSeedInfo, std::numeric_limits<std::int64_t>::max(), values.settings.seed);
+        if (const TomlValue* sampler = table.optional("sampler"))
+            values.settings.sampler = readNamed(file_, "sampler", *sampler, kSamplers);
+        if (const TomlValue* emitters = table.optional("emitters"))
+            values.settings.emitters = readNamed(file_, "emitters", *emitters, kEmitters);
+        if (const TomlValue* at = table.optional("at")) values.at = readWallPoint(*at);
+        if (const TomlValue* defects = table.optional("asPrinted"))
+            values.settings.defects = readDefects(*defects);
+        if (const TomlValue* event = table.optional("event"))
+            values.event = static_cast<std::uint32_t>(readWhole(file_, "event", *event, {0, kMostEvents}));
+        table.finish();
+    }
+
+    WallPoint readWallPoint(const TomlValue& value) const {
+        const std::string text = readText(file_, "at", value, kHeadingRule);
+        try {
+            return parseWallPoint(text, scene_);
+        } catch (const InputError& error) {
+            failAt(file_, value.where, fmt::format("\"at\": {}", error.text));
+        }
+    }
+
+    DefectSet readDefects(const TomlValue& value) const {
+        if (const auto* all = std::get_if<bool>(&value.data)) return *all ? DefectSet::all() : DefectSet{};
+        DefectSet set;
+        readSet("asPrinted", value, "true, false or an array of names", kDefects, set);
+        return set;
+    }
+
+    /// An array of names of a closed set, each at most once.
+    template <class Set, class Enum, std::size_t Count>
+    void readSet(std::string_view key, const TomlValue& value, std::string_view expected,
+                 const std::array<Named<Enum>, Count>& names, Set& set) const {
+        for (const TomlValue& element : readArray(file_, key, value, expected)) {
+            const Enum member = readNamed(file_, key, element, names);
+            if (set.has(member))
+                failAt(
+                    file_, element.where,
+                    fmt::format("\"{}\" lists \"{}\" twice, expected it once", key, nameOf(names, member)));
+            set.set(member, true);
+        }
+    }
+
+    void readTerm(const TomlValue& value) {
+        TableReader table(file_, readTable(file_, "term", value), value.where, "[[term]]");
+        const TomlValue* name = table.required("name");
+        const TomlValue* meaning = table.required("meaning");
+        table.finish();
+        Term term{readName(file_, "name", *name), readText(file_, "meaning", *meaning, kMeaningRule)};
+        if (term.name.find_first_of("[]|\\*`") != std::string::npos)
+            failAt(file_, name->where, "\"name\" holds one of [ ] | \\ * `, expected a term without markup");
+        if (findTerm(lesson_.terms, term.name) != lesson_.terms.size())
+            failAt(file_, name->where,
+                   fmt::format("the term \"{}\" is explained twice, expected once", excerpt(term.name)));
+        lesson_.terms.push_back(std::move(term));
+    }
+
+    void readStep(const TomlValue& value) {
+        TableReader table(file_, readTable(file_, "step", value), value.where, "[[step]]");
+        const TomlValue* title = table.required("title");
+        const TomlValue* prose = table.required("prose");
+        const TomlValue* listing = table.optional("listing");
+        const TomlValue* show = table.optional("show");
+        const TomlValue* unlock = table.optional("unlock");
+        const TomlValue* set = table.optional("set");
+        const TomlValue* question = table.optional("question");
+        table.finish();
+
+        Step step;
+        step.title = readText(file_, "title", *title, kHeadingRule);
+        step.prose = readProse("prose", *prose);
+        if (listing != nullptr) step.listing = readListing(*listing);
+        if (show != nullptr) readSet("show", *show, "an array of views", kViews, step.show);
+        if (unlock != nullptr) step.unlock = readUnlock(*unlock);
+        step.values = defaults_;
+        if (set != nullptr) readValues("[step.set]", "set", *set, step.values);
+        if (question != nullptr) step.question = readQuestion(*question);
+        lesson_.steps.push_back(std::move(step));
+    }
+
+    std::vector<int> readListing(const TomlValue& value) const {
+        std::vector<int> lines;
+        for (const TomlValue& element : readArray(file_, "listing", value, "an array of line numbers")) {
+            const int line = static_cast<int>(readWhole(file_, "listing", element, {1, kListingLines}));
+            if (std::find(lines.begin(), lines.end(), line) != lines.end())
+                failAt(file_, element.where,
+                       fmt::format("\"listing\" has line {} twice, expected it once", line));
+            lines.push_back(line);
+        }
+        return lines;
+    }
+
+    Control readUnlock(const TomlValue& value) const {
+        if (std::holds_alternative<TomlArray>(value.data))
+            failAt(file_, value.where,
+                   "\"unlock\" is an array, expected one control: a step unlocks at most one");
+        return readNamed(file_, "unlock", value, kControls);
+    }
+
+    Question readQuestion(const TomlValue& value) const {
+        TableReader table(file_, readTable(file_, "question", value), value.where, "[step.question]");
+        const TomlValue* ask = table.required("ask");
+        const TomlValue* answer = table.required("answer");
+        table.finish();
+        return {readProse("ask", *ask), readProse("answer", *answer)};
+    }
+
+    Prose readProse(std::string_view key, const TomlValue& value) const {
+        const std::string marked = readText(file_, key, value, kProseRule);
+        try {
+            return parseProse(marked, lesson_.terms);
+        } catch (const MarkupError& error) {
+            // What was written with TOML's own escapes is not found again; then the start of the text must
+            // do.
+            const std::size_t found = text_.find(error.snippet, offsetOf(text_, value.where));
+            failAt(file_, found == std::string_view::npos ? value.where : positionOf(text_, found),
+                   fmt::format("\"{}\": {}", key, error.what()));
+        }
+    }
+
+    std::string_view text_;
+    std::filesystem::path path_;
+    std::string file_;
+    const SceneLoader& sceneLoader_;
+    Lesson lesson_;
+    Scene scene_;
+    StepValues defaults_;
+};
+
+}  // namespace
+
+std::optional<LessonFileName> parseLessonFileName(const std::filesystem::path& file) {
+    constexpr std::string_view kDigits = "0123456789";
+    const std::string stem = file.stem().string();
+    const std::size_t digits = std::min(stem.find_first_not_of(kDigits), stem.size());
+    if (file.extension() != ".toml" || digits < 1 || digits > 4 || stem.substr(digits, 1) != "-")
+        return std::nullopt;
+    const std::string slug = stem.substr(digits + 1);
+    const bool isNumber = slug.find_first_not_of(kDigits) == std::string::npos;  // also if it is empty
+    if (isNumber || slug.find_first_of(": \t") != std::string::npos) return std::nullopt;
+    return LessonFileName{std::stoi(stem.substr(0, digits)), slug};
+}
+
+Lesson parseLesson(std::string_view text, const std::filesystem::path& file, const SceneLoader& sceneLoader) {
+    return LessonReader(text, file, sceneLoader).read();
+}
+
+Lesson loadLesson(const std::filesystem::path& file) {
+    return parseLesson(readTextFile(file), file, loadScene);
+}
+
+}  // namespace halfdisk

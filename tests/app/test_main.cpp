@@ -1,0 +1,3 @@
+// Where does doctest's main function live?
+#define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+#include <doctest/doctest.h>

@@ -1,0 +1,118 @@
+// Does castRay agree with the exact answers, with every sampler, every way to count emitters, at every depth?
+//
+// 4.5 standard errors (kSweep) for each of about 1000 comparisons: a right program fails the sweep with less than 1 %.
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include "cases.h"
+#include "measure.h"
+
+using namespace halfdisk;
+using namespace halfdisk::test;
+
+namespace {
+
+struct Sweep {
+    std::vector<Sampler> samplers = {Sampler::uniform, Sampler::cosine, Sampler::stratified};
+    std::vector<Emitters> emitters = {Emitters::sample, Emitters::hit, Emitters::both};
+    std::uint32_t maxDepth = 2;  ///< of the depth setting
+    Effort effort = {};
+    double precision = 0.005;  ///< demanded, relative to the answer
+};
+
+void checkAnswer(const SegmentIndex& index, const Answer& answer, std::size_t depth, const Settings& settings,
+                 const Sweep& sweep) {
+    const ShadedPoint at = pointOf(index, answer);
+    const Rgb exact = *answer.valueAt(depth);
+    // L = Le + albedo / 2 E: what the precision of L asks of E.
+    const Rgb slope = quantityOf(index, answer, Rgb(1.0)) - quantityOf(index, answer, Rgb(0.0));
+    Rgb scale(0.0);
+    for (int c = 0; c < 3; ++c)
+        if (slope[c] > 0.0) scale[c] = exact[c] / slope[c];
+    const Estimate estimate = measure(index, at, settings, scale, sweep.effort);
+    CHECK(estimate.nonFinite() == 0);
+    CHECK(estimate.samples.negative == 0);
+    const Rgb mean = quantityOf(index, answer, estimate.repeats.mean);
+    const Rgb error = slope * estimate.repeats.standardError();
+    for (int c = 0; c < 3; ++c) {
+        const ZTest test{mean[c], error[c], exact[c], answer.err};
+        CAPTURE(c);
+        CHECK_MESSAGE(test.within(kSweep), test.text());
+        CHECK_MESSAGE(error[c] <= sweep.precision * exact[c], fmt::format("precision {:.2g} %", 100 * error[c] / exact[c]));
+        if (exact == Rgb(exact.x)) break;  // grey
+    }
+}
+
+void checkCase(const std::string& name, const Sweep& sweep = {}) {
+    const Case known = readCase(name);
+    const SegmentIndex index(known.scene);
+    for (std::size_t a = 0; a < known.answers.size(); ++a) {
+        const Answer& answer = known.answers[a];
+        for (std::size_t depth = 0; depth <= sweep.maxDepth + 1; ++depth) {
+            const auto setting = depthSetting(answer, depth);
+            if (!setting || *setting > sweep.maxDepth || !answer.valueAt(depth)) continue;
+            for (const Sampler sampler : sweep.samplers)
+                for (const Emitters emitters : sweep.emitters) {
+                    if (emitters != sweep.emitters.front() && index.emitters().empty()) continue;  // all three are one
+                    INFO(fmt::format("{} answer {} depth {} {} {}", name, a, depth, nameOf(kSamplers, sampler),
+                                     nameOf(kEmitters, emitters)));
+                    Settings settings;
+                    settings.maxDepth = *setting;
+                    settings.sampler = sampler;
+                    settings.emitters = emitters;
+                    settings.seed = 1000 + a;
+                    checkAnswer(index, answer, depth, settings, sweep);
+                }
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("exact case 01: a light above a floor") { checkCase("01_segment_light"); }
+TEST_CASE("exact case 03: a light behind an occluder") { checkCase("03_occluded_light"); }
+TEST_CASE("exact case 05: white furnace") { checkCase("05_white_furnace"); }
+TEST_CASE("exact case 09: closed room in colour") { checkCase("09_cornell_rgb"); }
+TEST_CASE("exact case 14: square of albedo 0.99") { checkCase("14_square_albedo_0.99"); }
+TEST_CASE("exact case 16: V-groove of 60 degrees") { checkCase("16_vgroove_60"); }
+TEST_CASE("exact case 22: box under an environment") { checkCase("22_environment_box"); }
+
+TEST_CASE("exact case 20b: a light seen edge-on, by sampling it") {
+    // The half-disk meets it once in 10^5 samples; the light's own pdf is high enough that `both` sees it too.
+    checkCase("20b_grazing", {.emitters = {Emitters::sample, Emitters::both}, .maxDepth = 0});
+}
+
+TEST_CASE("exact case 20b: met by chance it is right on average") {
+    checkCase("20b_grazing", {.samplers = {Sampler::uniform, Sampler::cosine},
+                              .emitters = {Emitters::hit},
+                              .maxDepth = 0,
+                              .effort = {.rays = 3e7},
+                              .precision = 0.1});
+}
+
+TEST_CASE("exact case 33: one light, five places") {
+    for (const char* name : {"33_overhead", "33_oblique", "33_clipped", "33_close_big"})
+        checkCase(name, {.maxDepth = 0});
+    checkCase("33_tiny_far", {.emitters = {Emitters::sample, Emitters::both}, .maxDepth = 0});
+    checkCase("33_tiny_far", {.emitters = {Emitters::hit}, .maxDepth = 0, .precision = 0.05});
+}
+
+TEST_CASE("exact case 07: the vertices of the circle of 10 000 sides are those of the case") {
+    const Case known = readCase("07_circle_10000_arc");
+    REQUIRE(known.scene.segments.size() == 10'000);
+    for (std::size_t k = 0; k < 10'000; ++k) {
+        const Segment& side = known.scene.segments[k];
+        const double angle = 2.0 * kPi * static_cast<double>(k) / 10'000.0;
+        REQUIRE(glm::length(side.a - Vec2(std::cos(angle), std::sin(angle))) < 3e-15);
+        REQUIRE(side.b == known.scene.segments[(k + 1) % 10'000].a);
+        REQUIRE(side.emission == Rgb(k < 1250 ? 1.0 : 0.0));
+    }
+}
+
+TEST_CASE("exact case 07: circle of 10 000 sides, met by chance") {
+    checkCase("07_circle_10000_arc", {.samplers = {Sampler::cosine},
+                                      .emitters = {Emitters::hit},
+                                      .maxDepth = 1,
+                                      .effort = {.precision = 0.01, .rays = 1.2e5, .samplesPerBounce = 1},
+                                      .precision = 0.02});
+}

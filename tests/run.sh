@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# How are all tests run with one command? Installs and builds what is missing, then asks CTest, in parallel.
+set -euo pipefail
+
+usage() {
+    cat <<EOF
+usage: run.sh [--label LABEL] [--sanitize] [--fuzz-seconds S] [-- CTEST-ARGUMENTS...]
+
+  --label LABEL     only tests whose label matches this regular expression, such as unit or 'unit|fuzz'
+  --sanitize        under AddressSanitizer and UndefinedBehaviorSanitizer, built in build-sanitize/
+  --fuzz-seconds S  how long each fuzz target runs (60)
+
+Without --sanitize, and unless a label excludes them, the fuzz targets are built in build-fuzz/ and run as well.
+EOF
+}
+
+refuse() {
+    echo "run.sh: $1" >&2
+    usage >&2
+    exit 2
+}
+
+label='' sanitize=false fuzz_seconds=60 ctest_arguments=()
+while [[ $# -gt 0 ]]; do
+    case $1 in
+        --label)
+            [[ $# -ge 2 && -n $2 ]] || refuse "--label needs a value"
+            label=$2
+            shift 2
+            ;;
+        --sanitize) sanitize=true; shift ;;
+        --fuzz-seconds)
+            [[ $# -ge 2 && $2 =~ ^[1-9][0-9]*$ ]] || refuse "--fuzz-seconds needs a whole number of seconds"
+            fuzz_seconds=$2
+            shift 2
+            ;;
+        --) shift; ctest_arguments=("$@"); break ;;
+        -h | --help) usage; exit 0 ;;
+        *) refuse "unknown option $1" ;;
+    esac
+done
+
+root=$(cd "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/.." && pwd)
+readonly root
+
+export LSAN_OPTIONS="suppressions='$root/tests/lsan.supp':print_suppressions=0"
+export UBSAN_OPTIONS=print_stacktrace=1
+
+failed=false
+run_ctest() {
+    ctest --test-dir "$1" --parallel "$(nproc)" --output-on-failure --no-tests=error "${@:2}" || failed=true
+}
+
+by_label=()
+if [[ -n $label ]]; then by_label=(--label-regex "$label"); fi
+
+folder=$root/build
+setup=(--tests)
+if $sanitize; then
+    folder=$root/build-sanitize
+    setup+=(--sanitize)
+fi
+
+bash "$root/app/setup.sh" "${setup[@]}"
+run_ctest "$folder" "${by_label[@]}" "${ctest_arguments[@]}"
+
+if ! $sanitize && [[ -z $label || fuzz =~ $label ]]; then
+    bash "$root/app/setup.sh" --fuzz "$fuzz_seconds"
+    run_ctest "$root/build-fuzz" --label-regex fuzz
+fi
+
+if $failed; then exit 1; fi

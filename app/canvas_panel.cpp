@@ -53,7 +53,11 @@ void cornerButtons(const Canvas& canvas) {
     const float spacing = ImGui::GetStyle().ItemSpacing.x, padding = 2 * ImGui::GetStyle().FramePadding.x;
     float width = 0.0f;
     for (const char* label : {"Fit", "Grid", "A-", "A+", "?"}) width += textSize(label).x + padding + spacing;
-    ImGui::SetCursorScreenPos({canvas.rect.max.x - width - canvas.px(2), canvas.rect.min.y + canvas.px(6)});
+    const ImVec2 corner{canvas.rect.max.x - width - canvas.px(2), canvas.rect.min.y + canvas.px(6)};
+    canvas.list.AddRectFilled({corner.x - canvas.px(6), canvas.rect.min.y},
+                              {canvas.rect.max.x, corner.y + ImGui::GetFrameHeight() + canvas.px(6)},
+                              ui.palette.background);
+    ImGui::SetCursorScreenPos(corner);
     if (button(ui.widgets, "Fit")) ui.commands.push_back(FitCamera{});
     tooltip("show the whole scene (F)");
     ImGui::SameLine();
@@ -78,11 +82,12 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     beginChild("canvas", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const CanvasRect rect{origin, {origin.x + available.x, origin.y + available.y}};
-    const float margin = 34 * ui.scale;
-    const CanvasRect inner{{rect.min.x, rect.min.y + margin}, {rect.max.x, rect.max.y - 0.5f * margin}};
+    const float buttons = 44 * ui.scale, legend = 40 * ui.scale, margin = 56 * ui.scale;
+    const CanvasRect inner{{rect.min.x + margin, rect.min.y + buttons},
+                           {rect.max.x - margin, rect.max.y - legend}};
     Camera camera = state.camera;
     if (state.fitCamera) {
-        camera = fitted(state.scene->bounds, inner, margin);
+        camera = fitted(state.scene->bounds, inner, 14 * ui.scale);
         camera.center.y += (inner.center().y - rect.center().y) / camera.pixelsPerMeter;
         ui.commands.push_back(SetCamera{camera});
     }

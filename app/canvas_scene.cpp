@@ -92,12 +92,12 @@ void drawWalls(const Canvas& canvas) {
     for (const Segment& s : scene.segments) {
         const ImVec2 a = canvas.screen(s.a), b = canvas.screen(s.b);
         canvas.list.AddLine(a, b, palette.wallFront, canvas.px(3));
-        const ImVec2 front{canvas.px(2) * static_cast<float>(frontNormal(s).x),
-                           -canvas.px(2) * static_cast<float>(frontNormal(s).y)};
+        const ImVec2 front{canvas.px(3) * static_cast<float>(frontNormal(s).x),
+                           -canvas.px(3) * static_cast<float>(frontNormal(s).y)};
         const Rgb albedo = std::get<Diffuse>(scene.materials[s.material]).albedo;
         const ImU32 face = isEmitter(s) ? palette.light : packed(albedo);
         canvas.list.AddLine({a.x + front.x, a.y + front.y}, {b.x + front.x, b.y + front.y}, face,
-                            canvas.px(isEmitter(s) ? 5.0f : 2.0f));
+                            canvas.px(isEmitter(s) ? 5.0f : 3.0f));
     }
 }
 

@@ -22,7 +22,7 @@ Json defectsJson(DefectSet defects) {
 
 std::string row(std::string_view symbol, std::string_view meaning, std::string_view unit, const Rgb& value) {
     const auto shown = [](double x) {
-        return std::isfinite(x) ? fmt::format("{:.6g}", x + 0.0) : std::string("none");
+        return std::isnan(x) ? std::string("-") : fmt::format("{:.6g}", x + 0.0);
     };
     return fmt::format("{:<4} {:<26} {:<11} {:>12} {:>12} {:>12}\n", symbol, meaning, unit, shown(value.x),
                        shown(value.y), shown(value.z));
@@ -35,7 +35,7 @@ std::string rows(std::string_view symbol, std::string_view meaning, std::string_
     return lines;
 }
 
-/// (estimate - exact) / standard error, NaN where an error of 0 leaves nothing to count in.
+/// (estimate - exact) / standard error to two decimals, NaN where an error of 0 leaves nothing to count in.
 Rgb distanceInErrors(const Rgb& estimate, const Rgb& exact, const Rgb& standardError) {
     Rgb distance{0.0};
     for (int i = 0; i < 3; ++i) {
@@ -43,7 +43,9 @@ Rgb distanceInErrors(const Rgb& estimate, const Rgb& exact, const Rgb& standardE
         constexpr double kRounding = 1e-9;
         const double difference = estimate[i] - exact[i];
         if (std::abs(difference) <= kRounding * std::abs(exact[i])) continue;
-        distance[i] = standardError[i] > 0.0 ? difference / standardError[i] : std::nan("");
+        constexpr double kDigits = 100.0;
+        distance[i] = standardError[i] > 0.0 ? std::round(kDigits * difference / standardError[i]) / kDigits
+                                             : std::nan("");
     }
     return distance;
 }

@@ -16,7 +16,6 @@ void transport(const Ui& ui) {
     const AppState& state = ui.state;
     const Playback& playback = state.playback;
     const std::size_t count = state.eventCount();
-    ImGui::BeginDisabled(!state.isUnlocked(Control::step) && !playback.stepping);
     if (button(ui.widgets, "Start")) ui.commands.push_back(SetEvent{0});
     tooltip("to the first step (Home)");
     ImGui::SameLine();
@@ -31,7 +30,6 @@ void transport(const Ui& ui) {
     ImGui::SameLine();
     if (button(ui.widgets, "End")) ui.commands.push_back(SetEvent{count});
     tooltip("to the last step (End)");
-    ImGui::EndDisabled();
     ImGui::SameLine();
     ImGui::AlignTextToFramePadding();
     text(ui.widgets,
@@ -43,9 +41,14 @@ void stepWords(const Ui& ui) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetFontSize() + 2 * ui.scale;
     ImGui::Dummy({ImGui::GetContentRegionAvail().x, 2 * line});
-    const std::string first = words.where.empty() ? (ui.state.playback.stepping ? "Press Step to begin." : "")
-                                                  : words.where + ": " + words.what;
-    drawText(ui, origin, ui.palette.ink, first);
+    if (words.where.empty()) {
+        const bool printed = ui.state.settings.defects != DefectSet{};
+        drawText(ui, origin, ui.palette.ink, "Press Step to walk through this run.");
+        drawText(ui, {origin.x, origin.y + line}, ui.palette.inkSoft,
+                 printed ? "core/as_printed.h, as compiled" : "core/cast_ray.h, as compiled");
+        return;
+    }
+    drawText(ui, origin, ui.palette.ink, words.where + ": " + words.what);
     drawText(ui, {origin.x, origin.y + line}, ui.palette.accent, words.values, Align::left, ui.fonts.code);
 }
 
@@ -56,10 +59,28 @@ bool isMarked(const AppState& state, int number) {
            std::find(step->listing.begin(), step->listing.end(), number) != step->listing.end();
 }
 
-void codeLine(const Ui& ui, const ListingLine& line, float width, bool lit, bool marked) {
+/// A source line in pieces that fit, the later ones indented further.
+std::vector<std::string> piecesOf(const std::string& text, std::size_t most) {
+    std::vector<std::string> pieces;
+    std::string rest = text;
+    const std::size_t indent = std::min(text.find_first_not_of(' '), most / 2);
+    while (rest.size() > most) {
+        const std::size_t space = rest.rfind(' ', most);
+        if (space == std::string::npos || space <= indent + 4) break;
+        pieces.push_back(rest.substr(0, space));
+        rest = std::string(indent + 4, ' ') + rest.substr(space + 1);
+    }
+    pieces.push_back(rest);
+    return pieces;
+}
+
+void codeLine(const Ui& ui, const ListingLine& line, bool lit, bool marked) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImFont* font = ui.fonts.code;
-    const float height = font->FontSize + 2 * ui.scale, gutter = textSize("000 ", font).x;
+    const float width = ImGui::GetContentRegionAvail().x, letter = textSize("0", font).x, gutter = 4 * letter;
+    const auto most = static_cast<std::size_t>(std::max(20.0f, (width - gutter) / letter));
+    const std::vector<std::string> pieces = piecesOf(line.text, most);
+    const float row = font->FontSize + 2 * ui.scale, height = row * static_cast<float>(pieces.size());
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 end{origin.x + width, origin.y + height};
     if (lit)
@@ -77,7 +98,9 @@ void codeLine(const Ui& ui, const ListingLine& line, float width, bool lit, bool
         ImGui::Dummy({width, height});
     }
     const ImU32 color = line.comment ? ui.palette.normal : ui.palette.ink;
-    drawText(ui, {origin.x + gutter, origin.y + ui.scale}, color, line.text, Align::left, font);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        drawText(ui, {origin.x + gutter, origin.y + ui.scale + row * static_cast<float>(i)}, color, pieces[i],
+                 Align::left, font);
 }
 
 }  // namespace
@@ -93,11 +116,8 @@ void codePanel(const Ui& ui, ImVec2 size) {
     const Event* event = currentEvent(state);
     const int lit = event ? listingLine(event->kind) : 0;
 
-    beginChild("source", {0, 0}, true, ImGuiWindowFlags_HorizontalScrollbar);
+    beginChild("source", {0, 0}, true);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    float width = ImGui::GetContentRegionAvail().x;
-    for (const ListingLine& line : listing)
-        width = std::max(width, textSize(line.text, ui.fonts.code).x + textSize("000  ", ui.fonts.code).x);
     bool firstMarked = true;
     for (const ListingLine& line : listing) {
         const bool isLit = lit > 0 && line.number == lit;
@@ -110,7 +130,7 @@ void codePanel(const Ui& ui, ImVec2 size) {
             if (top < scroll + margin || top > scroll + page - 2 * margin)
                 ImGui::SetScrollY(std::max(0.0f, top - page / 3));
         }
-        codeLine(ui, line, width, isLit, marked);
+        codeLine(ui, line, isLit, marked);
     }
     ImGui::PopStyleVar();
     ImGui::EndChild();

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/draw_text.h"
 #include "app/panels.h"
@@ -32,23 +33,52 @@ void whileUnlocked(const Ui& ui, Control control, const auto& draw) {
     ImGui::EndDisabled();
 }
 
+/// What the defect alone does to E, as a bar to the left (less) or right (more) of the exact value. Nothing
+/// if not measured.
+void damageBar(const Ui& ui, const Damage& damage, bool on, ImVec2 min, ImVec2 max) {
+    const Palette& palette = ui.palette;
+    const float numberWidth = textSize("+1000 %").x;
+    const float middle = (min.x + max.x - numberWidth) / 2, half = (max.x - numberWidth - min.x) / 2;
+    const bool none = std::abs(damage.relative) < 4.0 * damage.error + 5e-4;
+    const float reach = none ? 0.0f : half * static_cast<float>(std::clamp(damage.relative, -1.0, 1.0));
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float inset = (max.y - min.y) / 4;
+    list.AddRectFilled({std::min(middle, middle + reach), min.y + inset},
+                       {std::max(middle, middle + reach), max.y - inset},
+                       on ? palette.estimate : palette.rayDark);
+    list.AddLine({middle, min.y}, {middle, max.y}, palette.exact, 2 * ui.scale);
+    const std::string words = none ? "none" : fmt::format("{:+.0f} %", 100.0 * damage.relative);
+    drawText(ui, {max.x, min.y + (max.y - min.y - ImGui::GetFontSize()) / 2},
+             on ? palette.ink : palette.inkSoft, words, Align::right);
+}
+
 void defectSwitches(const Ui& ui, Settings& settings) {
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4 * ui.scale, 2 * ui.scale});
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 3 * ui.scale});
     bool all = settings.defects == DefectSet::all();
     if (checkbox(ui.widgets, "as printed", all)) settings.defects = all ? DefectSet::all() : DefectSet{};
     tooltip("run the published listing with all of its switchable defects");
-    const float column = ImGui::GetContentRegionAvail().x / 2;
-    bool left = true;
+    const bool damages = ui.state.shows(View::damage);
+    if (damages)
+        drawText(ui,
+                 {ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x,
+                  ImGui::GetItemRectMin().y + 2 * ui.scale},
+                 ui.palette.inkSoft, "E, each alone", Align::right);
+    const float left = ImGui::GetFrameHeight() + textSize("lightsign").x + 16 * ui.scale;
     for (const Named<Defect>& defect : kDefects) {
-        if (!left) ImGui::SameLine(column);
+        const ImVec2 origin = ImGui::GetCursorScreenPos();
+        const float right = origin.x + ImGui::GetContentRegionAvail().x;
         bool on = settings.defects.has(defect.value);
         const std::string name(defect.name);
         if (checkbox(ui.widgets, name.c_str(), on)) settings.defects.set(defect.value, on);
         tooltip(defect.meaning);
-        left = !left;
+        if (!damages || !ui.state.answer) continue;
+        for (const Damage& damage : ui.state.answer->damage)
+            if (damage.defect == defect.value)
+                damageBar(ui, damage, on, {origin.x + left, origin.y},
+                          {right, origin.y + ImGui::GetFrameHeight()});
     }
-    if (left) return;
-    ImGui::SameLine(column);
-    ImGui::Dummy({1, ImGui::GetFrameHeight()});
+    ImGui::PopStyleVar(2);
 }
 
 }  // namespace

@@ -28,9 +28,13 @@ std::string shown(double value) {
     return fmt::format("{:.4g}", value);
 }
 
-std::string shown(const Rgb& value) {
+bool isGray(const Rgb& value) {
     const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
-    if (same(value.x, value.y) && same(value.x, value.z)) return shown(value.x);
+    return same(value.x, value.y) && same(value.x, value.z);
+}
+
+std::string shown(const Rgb& value) {
+    if (isGray(value)) return shown(value.x);
     return fmt::format("{:.3g}, {:.3g}, {:.3g}", value.x, value.y, value.z);
 }
 

@@ -21,6 +21,9 @@ ImVec2 textSize(std::string_view words, ImFont* font = nullptr);
 /// A number as it is shown: four significant digits, no needless zeros.
 std::string shown(double value);
 
+/// Whether all channels agree.
+bool isGray(const Rgb& value);
+
 /// A colour as it is shown: one number if its channels agree, else three.
 std::string shown(const Rgb& value);
 

@@ -17,7 +17,7 @@ struct FontFiles {
 FontFiles installedFontFiles();
 
 /// Heights of a line at scale 1, in pixels; the capital letters are about 0.6 of it.
-inline constexpr float kProsePixels = 17, kCodePixels = 15, kTitlePixels = 24, kFormulaPixels = 19;
+inline constexpr float kProsePixels = 20, kCodePixels = 16, kTitlePixels = 27, kFormulaPixels = 21;
 
 /// Never null. Owned by the atlas; valid until the fonts are loaded again.
 struct Fonts {

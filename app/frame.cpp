@@ -21,7 +21,7 @@ struct Layout {
 Layout layOut(float scale) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     return {std::floor(std::min(330 * scale, 0.34f * screen.x)),
-            std::floor(std::min(318 * scale, 0.33f * screen.x)), screen.x, screen.y};
+            std::floor(std::min(310 * scale, 0.33f * screen.x)), screen.x, screen.y};
 }
 
 void beginColumn(const char* name, float x, float width, float height, ImGuiWindowFlags more = 0) {
@@ -82,7 +82,7 @@ void askLight(Session& session) {
     AppState& state = session.state;
     if (session.asked == state.questionId) return;
     session.asked = state.questionId;
-    session.light.ask({state.questionId, state.scene, state.at, state.settings});
+    session.light.ask({state.questionId, state.scene, state.at, state.settings, state.shows(View::damage)});
 }
 
 void frame(Session& session, const Fonts& fonts, float uiScale) {

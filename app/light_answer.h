@@ -19,6 +19,7 @@ struct LightQuestion {
     std::shared_ptr<const PreparedScene> scene;
     WallPoint at;
     Settings settings;
+    bool wantsDamage = false;  ///< also what each defect alone does
 };
 
 /// Light that arrives along one direction of the half-disk.
@@ -34,6 +35,13 @@ struct ErrorPoint {
     double spread;  ///< one standard error of rms
 };
 
+/// What one defect alone does to E.
+struct Damage {
+    Defect defect;
+    double relative;  ///< (E - exact E) / exact E, mean of the channels
+    double error;     ///< its standard error
+};
+
 /// Grows stage by stage; each stage publishes a new copy. The frame only reads.
 struct LightAnswer {
     LightQuestion asked;
@@ -44,9 +52,10 @@ struct LightAnswer {
     // stage 1: one run of N samples, every step recorded
     std::shared_ptr<const Record> record;
     Irradiance estimate;
-    Rgb radiance{0.0};                 ///< that P's wall sends out
-    std::vector<Rgb> contributions;    ///< of each first-bounce sample, light samples excluded
-    std::optional<Rgb> standardError;  ///< of the run, from its own samples; none for dependent samples
+    Rgb radiance{0.0};                    ///< that P's wall sends out
+    std::optional<Irradiance> corrected;  ///< with defects on: the same run without them
+    std::vector<Rgb> contributions;       ///< of each first-bounce sample, light samples excluded
+    std::optional<Rgb> standardError;     ///< of the run, from its own samples; none for dependent samples
     std::uint64_t nonFinite = 0;
 
     // stage 2: what is exactly known
@@ -60,6 +69,7 @@ struct LightAnswer {
     Statistics runs;                  ///< of whole runs of N
     std::vector<double> histogramOf;  ///< single contributions, mean of the channels, up to a few thousand
     std::vector<ErrorPoint> errors;
+    std::vector<Damage> damage;
 
     bool complete = false;
 };

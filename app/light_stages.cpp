@@ -114,6 +114,25 @@ std::optional<ErrorPoint> measureError(const LightAnswer& answer, std::uint32_t 
     return ErrorPoint{static_cast<double>(N), rms, rms > 0.0 ? std::sqrt(variance) / (2.0 * rms) : 0.0};
 }
 
+/// Each defect by itself, by many samples.
+void measureDamage(LightAnswer& answer, const std::atomic<bool>& cancelled) {
+    const double exact = gray(*answer.exact);
+    if (exact <= 0.0) return;
+    Settings settings = answer.asked.settings;
+    settings.defects = {};
+    const double runs = kRaysPerErrorPoint / raysPerRepeat(sceneOf(answer).index, settings);
+    EstimateOptions options;
+    options.repeats = static_cast<std::uint64_t>(std::clamp(runs, 4.0, 400.0));
+    options.cancelled = &cancelled;
+    for (const Named<Defect>& defect : kDefects) {
+        settings.defects = {};
+        settings.defects.set(defect.value, true);
+        const Estimate many = estimateIrradiance(sceneOf(answer).index, answer.point, settings, options);
+        answer.damage.push_back({defect.value, gray(many.irradiance()) / exact - 1.0,
+                                 gray(many.repeats.standardError()) / exact});
+    }
+}
+
 }  // namespace
 
 bool isQuick(const LightQuestion& question) {
@@ -134,6 +153,14 @@ void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     Recorder recorder(kEventLimit, &cancelled);
     answer.estimate = gatherOnce(scene.index, answer.point, asked.settings, 0,
                                  SampleRange::all(asked.settings.samples), recorder, answer.rays);
+    if (asked.settings.defects != DefectSet{}) {
+        Settings corrected = asked.settings;
+        corrected.defects = {};
+        NoObserver observer;
+        std::uint64_t uncounted = 0;
+        answer.corrected = gatherOnce(scene.index, answer.point, corrected, 0,
+                                      SampleRange::all(corrected.samples), observer, uncounted);
+    }
     answer.radiance =
         outgoingRadiance(scene.index, answer.point, answer.estimate.total(), asked.settings.defects);
     auto record = std::make_shared<Record>(recorder.take());
@@ -160,6 +187,8 @@ void refine(LightAnswer& answer, ReferenceCache& references, const std::atomic<b
             if (!point) break;
             answer.errors.push_back(*point);
         }
+        if (answer.exact && answer.asked.wantsDamage) measureDamage(answer, cancelled);
+        if (cancelled) return;
     }
     answer.complete = true;
     publish();

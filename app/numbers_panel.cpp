@@ -20,10 +20,13 @@ void row(const Ui& ui, std::string_view name, std::string_view value, ImU32 colo
 }
 
 std::string withThousands(std::uint64_t n) {
-    std::string digits = std::to_string(n);
-    for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-        digits.insert(static_cast<std::size_t>(i), "\u2009");
-    return digits;
+    const std::string digits = std::to_string(n);
+    std::string grouped;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+        if (i > 0 && (digits.size() - i) % 3 == 0) grouped += ' ';
+        grouped += digits[i];
+    }
+    return grouped;
 }
 
 /// The record's E once the playback has passed its end; before that only the steps are known.
@@ -31,27 +34,39 @@ bool runIsFinished(const AppState& state) {
     return !state.playback.stepping || state.playback.event >= state.eventCount();
 }
 
+/// Two digits; rounding's own noise is shown as 0.
+std::string shownError(double error, double value) {
+    return error <= 1e-12 * std::abs(value) ? "0" : fmt::format("{:.2g}", error);
+}
+
+/// Of one run: from its own samples where they are independent, else from the spread of many runs.
+std::optional<Rgb> standardErrorOf(const LightAnswer& answer) {
+    if (answer.standardError) return answer.standardError;
+    if (answer.runs.count > 1) return glm::sqrt(answer.runs.variance());
+    return std::nullopt;
+}
+
 void estimateRows(const Ui& ui, const LightAnswer& answer) {
     const Palette& palette = ui.palette;
     const Rgb E = answer.estimate.total();
-    std::string value = shown(E);
-    const std::optional<Rgb> error = answer.standardError ? answer.standardError
-                                     : answer.runs.count > 1
-                                         ? std::optional<Rgb>(glm::sqrt(answer.runs.variance()))
-                                         : std::nullopt;
-    if (error)
-        value +=
-            fmt::format(" \u00b1 {}", shown(gray(*error) < 1e-12 * gray(glm::abs(E)) ? Rgb(0.0) : *error));
-    row(ui, "estimate of E", value, palette.estimate,
+    std::string value = shown(gray(E));
+    if (const auto error = standardErrorOf(answer))
+        value += fmt::format(" \u00b1 {}", shownError(gray(*error), gray(E)));
+    const bool printed = ui.state.settings.defects != DefectSet{};
+    row(ui, printed ? "E as printed" : "estimate of E", value, palette.estimate,
         "What the run of N samples says arrives at P (irradiance, W/m), plus or minus one standard error of "
-        "such a run.");
+        "such a run. Of a coloured light, the mean of red, green and blue.");
+    if (!isGray(E)) row(ui, "in red, green, blue", shown(E), palette.estimate, "The same, colour by colour.");
+    if (answer.corrected)
+        row(ui, "E corrected", shown(gray(answer.corrected->total())), palette.normal,
+            "The same run, the same random numbers, by the corrected castRay.");
     if (!ui.state.shows(View::exact)) return;
     if (!answer.exact) {
         row(ui, "exact E", answer.complete ? "not known" : "\u2026", palette.exact,
             "Being computed by quadrature.");
         return;
     }
-    row(ui, "exact E", shown(*answer.exact), palette.exact,
+    row(ui, "exact E", shown(gray(*answer.exact)), palette.exact,
         "The integral itself, by quadrature between the edges of what P sees (W/m). Nothing random in it.");
     const double exact = gray(*answer.exact), off = gray(E) - exact;
     if (exact != 0.0) row(ui, "off by", fmt::format("{:+.1f} %", 100.0 * off / exact), palette.ink, "");
@@ -84,7 +99,7 @@ void numbersPanel(const Ui& ui) {
         row(ui, "estimate of E", fmt::format("step {} of {}", state.playback.event, state.eventCount()),
             palette.estimate, "The run is not finished yet: step on, or press End.");
         if (state.shows(View::exact) && answer.exact)
-            row(ui, "exact E", shown(*answer.exact), palette.exact, "");
+            row(ui, "exact E", shown(gray(*answer.exact)), palette.exact, "");
     }
     if (answer.nonFinite > 0)
         row(ui, "samples not finite", withThousands(answer.nonFinite), palette.error,

@@ -40,7 +40,7 @@ std::vector<Tick> linearTicks(const PlotAxis& axis, int about) {
 std::vector<Tick> logarithmicTicks(const PlotAxis& axis, int about) {
     const int low = static_cast<int>(std::ceil(std::log10(axis.from) - 1e-9));
     const int high = static_cast<int>(std::floor(std::log10(axis.to) + 1e-9));
-    const int every = std::max(1, (high - low) / std::max(1, about) + 1);
+    const int every = 1 + (high - low) / std::max(1, about + 1);
     std::vector<Tick> ticks;
     for (int power = low; power <= high; power += every) {
         const double value = std::pow(10.0, power);
@@ -100,8 +100,8 @@ Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, c
         drawText(ui, {p.x - gap, p.y - line / 2}, palette.inkSoft, tick.label, Align::right);
     }
     float lastRight = -1e9f;
-    for (const Tick& tick : ticksOf(x, std::max(2, static_cast<int>(plot.area.width() / (4.0f * line))))) {
-        const ImVec2 p = plot.at(tick.value, y.logarithmic ? y.from : y.from);
+    for (const Tick& tick : ticksOf(x, std::max(2, static_cast<int>(plot.area.width() / (3.0f * line))))) {
+        const ImVec2 p = plot.at(tick.value, y.from);
         list.AddLine({p.x, plot.area.min.y}, {p.x, plot.area.max.y}, palette.grid, 1.0f);
         const float half = textSize(tick.label).x / 2;
         if (p.x - half < lastRight + gap || p.x + half > origin.x + size.x) continue;

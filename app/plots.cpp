@@ -48,7 +48,7 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
     if (top <= 0.0) top = 1.0;
     const Plot plot = beginPlot(ui, "integrand", kTitle, size,
                                 {-90.0, 90.0, false, "angle \u03b8 from the normal (degrees)", 30.0},
-                                {0.0, 1.3 * top, false, "W/(m rad)", 0.0});
+                                {0.0, 1.5 * top, false, "W/(m rad)", 0.0});
 
     std::vector<ImVec2> radiance, weighted;
     for (const IntegrandPoint& p : answer.integrand) {
@@ -57,9 +57,12 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
         weighted.push_back(plot.at(fromNormal(p.theta), L * std::sin(p.theta)));
     }
     ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImDrawListFlags smooth = list.Flags;
+    list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // else every slice gets soft edges, and the area stripes
     for (std::size_t i = 1; i < weighted.size(); ++i)
         list.AddQuadFilled(weighted[i - 1], weighted[i], {weighted[i].x, plot.area.max.y},
                            {weighted[i - 1].x, plot.area.max.y}, withOpacity(ui.palette.light, 0.35f));
+    list.Flags = smooth;
     plotLine(plot, radiance, ui.palette.exact, 2 * ui.scale);
     plotLine(plot, weighted, ui.palette.point, 2 * ui.scale);
     if (state.shows(View::rays))
@@ -69,7 +72,7 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
                          2 * ui.scale);
         });
     plotKey(ui, plot, 0, ui.palette.exact, "L(\u03b8)");
-    plotKey(ui, plot, 1, ui.palette.point, "L(\u03b8) cos\u03b8, whose area is E");
+    plotKey(ui, plot, 1, ui.palette.point, "L(\u03b8) cos\u03b8");
     if (plot.hovered()) {
         const double angle = plot.xAt(ImGui::GetIO().MousePos.x);
         const auto index = static_cast<std::size_t>(std::clamp((90.0 - angle) / 180.0, 0.0, 0.999999) *

@@ -111,15 +111,34 @@ float drawParagraph(const Ui& ui, const Paragraph& paragraph, ImVec2 origin, flo
     return at.y + lineHeight - origin.y;
 }
 
+/// Broken at spaces if it is too long for one line; later lines are indented.
+std::vector<std::string_view> formulaLines(std::string_view words, ImFont* font, float width) {
+    std::vector<std::string_view> lines;
+    while (textSize(words, font).x > width) {
+        std::size_t end = words.rfind(' ');
+        while (end != std::string_view::npos && textSize(words.substr(0, end), font).x > width)
+            end = end == 0 ? std::string_view::npos : words.rfind(' ', end - 1);
+        if (end == std::string_view::npos || end == 0) break;
+        lines.push_back(words.substr(0, end));
+        words.remove_prefix(end + 1);
+    }
+    lines.push_back(words);
+    return lines;
+}
+
 float drawFormula(const Ui& ui, std::string_view words, ImVec2 origin, float width) {
     ImFont* font = ui.fonts.formula;
-    const float gap = 4 * ui.scale;
-    const ImVec2 size = textSize(words, font);
-    const float indent = std::clamp((width - size.x) / 2, 0.0f, 14 * ui.scale);
-    ImGui::GetWindowDrawList()->AddRectFilled(origin, {origin.x + width, origin.y + size.y + 2 * gap},
+    const float gap = 4 * ui.scale, indent = 10 * ui.scale;
+    const std::vector<std::string_view> lines = formulaLines(words, font, width - 3 * indent);
+    const float row = 1.15f * font->FontSize, height = row * static_cast<float>(lines.size()) + 2 * gap;
+    ImGui::GetWindowDrawList()->AddRectFilled(origin, {origin.x + width, origin.y + height},
                                               withOpacity(ui.palette.halfDisk, 0.15f), 4 * ui.scale);
-    drawText(ui, {origin.x + indent, origin.y + gap}, ui.palette.ink, words, Align::left, font);
-    return size.y + 2 * gap;
+    ImVec2 at{origin.x + indent, origin.y + gap};
+    for (const std::string_view line : lines) {
+        drawText(ui, at, ui.palette.ink, line, Align::left, font);
+        at = {origin.x + 2 * indent, at.y + row};
+    }
+    return height;
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "app/source_listing.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "app/embedded_sources.h"
@@ -56,6 +57,8 @@ Listing parseListing(std::string_view source) {
         ListingLine line;
         line.number = takeNumber(text);
         while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
+        const std::size_t indent = std::min(text.find_first_not_of(' '), text.size());
+        text.erase(0, indent / 2);
         line.comment = trimmed(text).substr(0, 2) == "//";
         line.text = std::move(text);
         listing.push_back(std::move(line));

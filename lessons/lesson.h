@@ -27,13 +27,14 @@ enum class View : std::uint8_t {
     code,
     exact,
     numbers,
-    grid
+    grid,
+    damage
 };
 
 /// What a step can unlock for the reader's hand.
 enum class Control : std::uint8_t { point, samples, depth, seed, sampler, emitters, defects, step };
 
-inline constexpr std::array<Named<View>, 10> kViews{{
+inline constexpr std::array<Named<View>, 11> kViews{{
     {View::halfdisk, "halfdisk", "the half-disk over P and the sample points on its arc"},
     {View::rays, "rays", "the sample rays, coloured by what they bring back"},
     {View::tree, "tree", "the rays of the recursion, fading with depth"},
@@ -43,7 +44,8 @@ inline constexpr std::array<Named<View>, 10> kViews{{
     {View::code, "code", "the source of castRay with the current line lit"},
     {View::exact, "exact", "the exact value beside the estimate"},
     {View::numbers, "numbers", "the estimate, its standard error and the count of rays"},
-    {View::grid, "grid", "a grid of one metre behind the scene"},
+    {View::grid, "grid", "a grid behind the scene"},
+    {View::damage, "damage", "what each defect of the published listing, alone, does to E"},
 }};
 
 inline constexpr std::array<Named<Control>, 8> kControls{{

@@ -16,6 +16,8 @@ namespace {
 constexpr TextRule kHeadingRule{200, false, false};
 constexpr TextRule kMeaningRule{1000, true, false};
 constexpr TextRule kProseRule{20'000, true, false};
+constexpr std::size_t kMostTerms = 200;
+constexpr std::size_t kMostSteps = 200;
 constexpr std::uint64_t kMostEvents = 1'000'000'000;
 
 WholeRule ruleOf(const NumberInfo& info, std::uint64_t most) {
@@ -56,14 +58,23 @@ class LessonReader {
         readScene(*scene);
         if (defaults != nullptr) readValues("[defaults]", "defaults", *defaults, defaults_);
         if (terms != nullptr)
-            for (const TomlValue& term : readArray(file_, "term", *terms, "tables [[term]]")) readTerm(term);
-        for (const TomlValue& step : readArray(file_, "step", *steps, "tables [[step]]")) readStep(step);
+            for (const TomlValue& term : listOfTables("term", *terms, kMostTerms)) readTerm(term);
+        for (const TomlValue& step : listOfTables("step", *steps, kMostSteps)) readStep(step);
         if (lesson_.steps.empty())
             failAt(file_, steps->where, "\"step\" has no elements, expected at least one [[step]]");
         return std::move(lesson_);
     }
 
  private:
+    const TomlArray& listOfTables(std::string_view key, const TomlValue& value, std::size_t most) const {
+        const TomlArray& tables = readArray(file_, key, value, fmt::format("tables [[{}]]", key));
+        if (tables.size() > most)
+            failAt(file_, tables[most].where,
+                   fmt::format("the lesson has {} tables [[{}]], expected at most {}", tables.size(), key,
+                               most));
+        return tables;
+    }
+
     void readFileName() {
         const auto name = parseLessonFileName(path_);
         if (!name) throw InputError(file_, "the file's name has no number and slug, expected NN-slug.toml");

@@ -153,19 +153,17 @@ class SpanReader {
     std::size_t plainFrom_ = 0;
 };
 
-std::string lowered(std::string_view text) {
-    std::string result(text);
-    for (char& c : result)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return result;
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
 }  // namespace
 
 std::size_t findTerm(const std::vector<Term>& terms, std::string_view name) {
-    const std::string wanted = lowered(name);
-    const auto found =
-        std::find_if(terms.begin(), terms.end(), [&](const Term& t) { return lowered(t.name) == wanted; });
+    const auto sameLetter = [](char a, char b) { return lower(a) == lower(b); };
+    const auto found = std::find_if(terms.begin(), terms.end(), [&](const Term& term) {
+        return std::equal(term.name.begin(), term.name.end(), name.begin(), name.end(), sameLetter);
+    });
     return static_cast<std::size_t>(found - terms.begin());
 }
 

@@ -86,13 +86,6 @@ struct EdgeMaker {
     }
 };
 
-std::uint32_t materialIndex(const Scene& scene, const std::string& name) {
-    const auto found = std::find(scene.materialNames.begin(), scene.materialNames.end(), name);
-    if (found == scene.materialNames.end())
-        throw InputError(fmt::format("there is no material \"{}\"", name));
-    return static_cast<std::uint32_t>(found - scene.materialNames.begin());
-}
-
 DeltaLight withUnitDirection(DeltaLight light) {
     if (auto* directional = std::get_if<DirectionalLight>(&light)) {
         // Scaled first, so that squares neither overflow nor vanish.
@@ -172,25 +165,27 @@ Scene expandScene(const SceneDescription& description) {
     Scene scene;
     scene.title = description.title;
     scene.environment = description.environment;
-    const auto usesDefault = [](const Shape& s) {
-        return s.material.empty() || s.material == kDefaultMaterial;
+    std::unordered_map<std::string_view, std::uint32_t> materialIndex;
+    const auto addMaterial = [&](std::string_view name, const Material& material) {
+        materialIndex.emplace(name, static_cast<std::uint32_t>(scene.materials.size()));
+        scene.materialNames.emplace_back(name);
+        scene.materials.push_back(material);
     };
-    for (const NamedMaterial& named : description.materials) {
-        scene.materialNames.push_back(named.name);
-        scene.materials.push_back(named.material);
-    }
-    const bool definesDefault = std::find(scene.materialNames.begin(), scene.materialNames.end(),
-                                          kDefaultMaterial) != scene.materialNames.end();
-    if (!definesDefault && std::any_of(description.shapes.begin(), description.shapes.end(), usesDefault)) {
-        scene.materialNames.emplace_back(kDefaultMaterial);
-        scene.materials.emplace_back(Diffuse{});
-    }
+    for (const NamedMaterial& named : description.materials) addMaterial(named.name, named.material);
+    const auto materialOf = [&](const Shape& shape) {
+        const std::string_view name =
+            shape.material.empty() ? kDefaultMaterial : std::string_view(shape.material);
+        if (name == kDefaultMaterial && materialIndex.count(name) == 0)
+            addMaterial(kDefaultMaterial, Diffuse{});
+        const auto found = materialIndex.find(name);
+        if (found == materialIndex.end()) throw InputError(fmt::format("there is no material \"{}\"", name));
+        return found->second;
+    };
 
     const std::vector<std::string> names = shapeNames(description.shapes);
     for (std::size_t i = 0; i < description.shapes.size(); ++i) {
         const Shape& shape = description.shapes[i];
-        const std::uint32_t material =
-            materialIndex(scene, shape.material.empty() ? std::string(kDefaultMaterial) : shape.material);
+        const std::uint32_t material = materialOf(shape);
         const bool single = std::holds_alternative<SegmentShape>(shape.geometry);
         std::size_t number = 0;
         for (const Edge& edge : edgesOf(shape.geometry)) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "lessons/geometry_check.h"
 #include "lessons/key_reader.h"
@@ -73,6 +74,7 @@ class SceneReader {
             keysOf(keys, diffuse);
             table.finish();
             scene_.materials.push_back({entry.key, diffuse});
+            materials_.insert(entry.key);
         }
     }
 
@@ -111,11 +113,9 @@ class SceneReader {
 
     void checkMaterial(const TableReader& table, const std::string& name) const {
         if (name.empty() || name == kDefaultMaterial) return;
+        if (materials_.count(name) > 0) return;
         std::vector<std::string_view> names;
-        for (const NamedMaterial& material : scene_.materials) {
-            if (material.name == name) return;
-            names.push_back(material.name);
-        }
+        for (const NamedMaterial& material : scene_.materials) names.push_back(material.name);
         names.push_back(kDefaultMaterial);
         failAt(file_, table.at("material").where,
                fmt::format("there is no material \"{}\", {}", excerpt(name), expectedOneOf(name, names)));
@@ -182,6 +182,7 @@ class SceneReader {
     std::string file_;
     SceneDescription scene_;
     std::uint64_t segments_ = 0;
+    std::unordered_set<std::string> materials_;
     std::unordered_map<std::string, std::size_t> shapeOfName_;
     std::vector<TextPosition> nameAt_;  ///< parallel to the shapes; line 0 where there is no name
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "lessons/toml_shield.h"
 #include "lessons/utf8.h"
 
 namespace halfdisk {
@@ -34,6 +35,8 @@ std::size_t skipString(std::string_view text, std::size_t at) {
 }  // namespace
 
 std::optional<TomlHazard> firstHazard(std::string_view text) {
+    if (const auto at = firstUnshieldable(text))
+        return TomlHazard{*at, "this is a private character of U+100000 ... U+10FFFF, expected any other"};
     constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
     int parts = 1;
     for (std::size_t i = text.substr(0, 3) == kByteOrderMark ? 3 : 0; i < text.size();) {
@@ -48,8 +51,8 @@ std::optional<TomlHazard> firstHazard(std::string_view text) {
         }
         if (static_cast<unsigned char>(c) >= 0x80u)
             return TomlHazard{
-                i, fmt::format("'{}' stands outside of quotes, expected it in a string or a comment",
-                               excerpt(text.substr(i, 4), 1).substr(0, text.substr(i, 4).find('.')))};
+                i, fmt::format("\"{}\" stands outside of quotes, expected it in a string or a comment",
+                               text.substr(i, characterLength(text.substr(i))))};
         if (c == '.') {
             if (++parts > kMaxKeyParts)
                 return TomlHazard{

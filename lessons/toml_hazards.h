@@ -17,9 +17,9 @@ struct TomlHazard {
     std::string text;  ///< what is wrong, what was expected
 };
 
-/// The first of these, if any: a dotted key of too many parts; a character beyond ASCII outside of strings
-/// and comments (no valid TOML has one, and toml++ 3.3 has undefined behaviour on most of them). `text` is
-/// valid UTF-8.
+/// One of these, if there is any: a dotted key of too many parts; a character beyond ASCII outside of strings
+/// and comments (no valid TOML has one); a character that toml_shield.h keeps for itself. `text` is valid
+/// UTF-8.
 std::optional<TomlHazard> firstHazard(std::string_view text);
 
 }  // namespace halfdisk

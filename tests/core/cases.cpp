@@ -1,14 +1,16 @@
 #include "cases.h"
 
-#include <stdexcept>
 #include <toml++/toml.h>
+#include <stdexcept>
 
 #include "lessons/scene_file.h"
 
 namespace halfdisk::test {
 namespace {
 
-std::string pathOf(const std::string& file) { return std::string(HALFDISK_TEST_CASES) + "/" + file; }
+std::string pathOf(const std::string& file) {
+    return std::string(HALFDISK_TEST_CASES) + "/" + file;
+}
 
 double number(const toml::node_view<const toml::node>& node) {
     const auto value = node.value<double>();
@@ -16,7 +18,9 @@ double number(const toml::node_view<const toml::node>& node) {
     return *value;
 }
 
-Vec2 vec2(const toml::node_view<const toml::node>& node) { return {number(node[0]), number(node[1])}; }
+Vec2 vec2(const toml::node_view<const toml::node>& node) {
+    return {number(node[0]), number(node[1])};
+}
 
 Rgb colour(const toml::node_view<const toml::node>& node) {
     if (node.is_array()) return {number(node[0]), number(node[1]), number(node[2])};
@@ -37,7 +41,8 @@ Answer answerOf(const toml::table& node) {
     for (const auto& [key, value] : node)
         if (value.is_number()) answer.numbers[std::string(key.str())] = *value.value<double>();
     if (const toml::table* variances = node["variance"].as_table())
-        for (const auto& [key, value] : *variances) answer.numbers[std::string(key.str())] = *value.value<double>();
+        for (const auto& [key, value] : *variances)
+            answer.numbers[std::string(key.str())] = *value.value<double>();
     return answer;
 }
 
@@ -70,7 +75,8 @@ ShadedPoint pointOf(const SegmentIndex& index, const Answer& answer) {
 }
 
 Rgb quantityOf(const SegmentIndex& index, const Answer& answer, const Rgb& irradiance) {
-    return answer.query == "radiance" ? outgoingRadiance(index, pointOf(index, answer), irradiance) : irradiance;
+    return answer.query == "radiance" ? outgoingRadiance(index, pointOf(index, answer), irradiance)
+                                      : irradiance;
 }
 
 std::optional<std::uint32_t> depthSetting(const Answer& answer, std::size_t depth) {

@@ -1,4 +1,5 @@
-// How many samples does an answer of a given precision take? A small run first, then one that is large enough.
+// How many samples does an answer of a given precision take? A small run first, then one that is large
+// enough.
 #pragma once
 
 #include "core/estimate.h"
@@ -11,14 +12,16 @@ struct Effort {
     double precision = 0.004;
     double rays = 6e6;
     std::uint32_t samplesPerBounce = 2;
+    std::uint64_t pilot = 300;  ///< repeats of the small run
+    double leastRepeats = 100.0;
 };
 
-/// E at `at` in one channel is expected to be `scale` (W/m) in size; the standard error aims at precision * scale.
+/// E at `at` in one channel is expected to be `scale` (W/m) in size; the standard error aims at precision *
+/// scale.
 inline Estimate measure(const SegmentIndex& index, const ShadedPoint& at, Settings settings, const Rgb& scale,
                         const Effort& effort = {}) {
     settings.samples = effort.samplesPerBounce;
-    constexpr std::uint64_t kPilot = 300;
-    const Estimate pilot = estimateIrradiance(index, at, settings, {.repeats = kPilot});
+    const Estimate pilot = estimateIrradiance(index, at, settings, {.repeats = effort.pilot});
     double factor = 1.0;
     for (int c = 0; c < 3; ++c) {
         if (!(scale[c] > 0.0)) continue;
@@ -26,11 +29,13 @@ inline Estimate measure(const SegmentIndex& index, const ShadedPoint& at, Settin
         factor = std::max(factor, error * error);
         if (pilot.repeats.mean[c] == 0.0) factor = kInfinity;  // so rare that the small run saw none of it
     }
-    const double raysEach = static_cast<double>(pilot.rays) / kPilot;
-    const double repeats = std::clamp(kPilot * factor, 100.0, std::max(100.0, effort.rays / raysEach));
+    const double runs = static_cast<double>(effort.pilot);
+    const double most = std::max(effort.leastRepeats, effort.rays * runs / static_cast<double>(pilot.rays));
+    const double repeats = std::clamp(runs * factor, effort.leastRepeats, most);
     // Other random numbers than the small run's, or its luck would decide how far the large one goes.
-    return estimateIrradiance(index, at, settings,
-                              {.firstRepeat = kPilot, .repeats = static_cast<std::uint64_t>(repeats), .threads = 2});
+    return estimateIrradiance(
+        index, at, settings,
+        {.firstRepeat = effort.pilot, .repeats = static_cast<std::uint64_t>(repeats), .threads = 2});
 }
 
 }  // namespace halfdisk::test

@@ -37,7 +37,9 @@ double upperGammaFraction(double a, double x) {
 
 }  // namespace
 
-double normalTail(double z) { return std::erfc(std::abs(z) / std::sqrt(2.0)); }
+double normalTail(double z) {
+    return std::erfc(std::abs(z) / std::sqrt(2.0));
+}
 
 double chiSquareTail(double x, double dof) {
     const double a = dof / 2.0, half = x / 2.0;
@@ -64,7 +66,8 @@ double ZTest::z() const {
 }
 
 std::string ZTest::text() const {
-    return fmt::format("mean {:.9g} +- {:.3g}, exact {:.9g}: {:+.2f} standard errors", mean, standardError, exact, z());
+    return fmt::format("mean {:.9g} +- {:.3g}, exact {:.9g}: {:+.2f} standard errors", mean, standardError,
+                       exact, z());
 }
 
 ZTest zTest(const Statistics& repeats, double exact, double err, int channel) {

@@ -1,4 +1,5 @@
-// When do numbers agree? Test statistics with their tail probabilities, and random numbers that are not the program's own.
+// When do numbers agree? Test statistics with their tail probabilities, and random numbers that are not the
+// program's own.
 #pragma once
 
 #include <cstdint>
@@ -12,22 +13,26 @@ namespace halfdisk::test {
 
 /// Threshold of a single z-test: a right program fails it with probability 4.7e-4 (two-sided).
 inline constexpr double kSingle = 3.5;
-/// Threshold in a sweep of up to about 1000 comparisons: 6.8e-6 each, so below 1 % for the whole sweep (Bonferroni).
+/// Threshold in a sweep of up to about 1000 comparisons: 6.8e-6 each, so below 1 % for the whole sweep
+/// (Bonferroni).
 inline constexpr double kSweep = 4.5;
 
 /// P(X > x) for a standard normal X, two-sided: P(|X| > |z|).
 double normalTail(double z);
 
-/// P(X > x) for a chi-square X with `dof` degrees of freedom: the regularised upper incomplete gamma Q(dof/2, x/2).
+/// P(X > x) for a chi-square X with `dof` degrees of freedom: the regularised upper incomplete gamma Q(dof/2,
+/// x/2).
 double chiSquareTail(double x, double dof);
 
-/// Pearson's statistic of observed counts against expected ones, as a tail probability with (cells - 1) degrees.
+/// Pearson's statistic of observed counts against expected ones, as a tail probability with (cells - 1)
+/// degrees.
 double chiSquareTest(const std::vector<std::uint64_t>& observed, const std::vector<double>& expected);
 
-/// How far a measured mean lies from the truth, in standard errors. `err` (absolute) is what the truth itself may be off by.
+/// How far a measured mean lies from the truth, in standard errors. `err` (absolute) is what the truth itself
+/// may be off by.
 struct ZTest {
     double mean, standardError, exact, err;
-    double z() const;                    ///< infinite where an error remains and nothing can excuse it
+    double z() const;  ///< infinite where an error remains and nothing can excuse it
     bool within(double threshold) const { return std::abs(z()) <= threshold; }
     std::string text() const;
 };
@@ -37,7 +42,7 @@ ZTest zTest(const Statistics& repeats, double exact, double err = 0.0, int chann
 
 /// Uniform numbers from the C++ library, independent of the program's own generator.
 class Random {
-   public:
+ public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
     /// In the open interval (from, to).
     double in(double from, double to) {
@@ -55,7 +60,7 @@ class Random {
         return {std::cos(angle), std::sin(angle)};
     }
 
-   private:
+ private:
     std::mt19937_64 engine_;
 };
 

@@ -11,8 +11,8 @@ using namespace halfdisk::test;
 namespace {
 
 template <class Tracer>
-Irradiance gatherBy(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings, std::uint64_t repeat,
-                    std::uint64_t& rays) {
+Irradiance gatherBy(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
+                    std::uint64_t repeat, std::uint64_t& rays) {
     NoObserver observer;
     Tracer tracer{{index, settings, observer}};
     const Irradiance E =
@@ -38,7 +38,8 @@ void checkTwins(const Scene& scene, const ShadedPoint& at, const SegmentIndex& i
                     settings.emitters = emitters.value;
                     std::uint64_t rays = 0, printedRays = 0;
                     const Irradiance E = gatherBy<CastRay<>>(index, at, settings, repeat, rays);
-                    const Irradiance printed = gatherBy<AsPrinted<>>(index, at, settings, repeat, printedRays);
+                    const Irradiance printed =
+                        gatherBy<AsPrinted<>>(index, at, settings, repeat, printedRays);
                     REQUIRE(E.direct == printed.direct);
                     REQUIRE(E.indirect == printed.indirect);
                     REQUIRE(rays == printedRays);
@@ -54,7 +55,8 @@ TEST_CASE("as printed: with no switch on it is castRay to the bit") {
     closed.lights.emplace_back(PointLight{{1.0, 1.0}, Rgb(1.0)});
     for (const Scene& scene : {mixed, closed}) {
         const SegmentIndex index(scene);
-        for (std::uint32_t wall = 0; wall < 3; ++wall) checkTwins(scene, shadedPointOn(index, wall, 0.43), index);
+        for (std::uint32_t wall = 0; wall < 3; ++wall)
+            checkTwins(scene, shadedPointOn(index, wall, 0.43), index);
         checkTwins(scene, {{0.9, 0.8}, {0.6, 0.8}}, index);
         checkTwins(scene, {{0.2, 0.3}, {-1.0, 0.0}}, index);
     }
@@ -76,9 +78,11 @@ TEST_CASE("as printed: every switch changes what is computed") {
             std::uint64_t rays = 0;
             settings.defects = {};
             NoObserver observer;
-            const Rgb right = gatherOnce(index, at, settings, 0, SampleRange::all(16), observer, rays).total();
+            const Rgb right =
+                gatherOnce(index, at, settings, 0, SampleRange::all(16), observer, rays).total();
             settings.defects.set(defect.value, true);
-            changed += gatherOnce(index, at, settings, 0, SampleRange::all(16), observer, rays).total() != right;
+            changed +=
+                gatherOnce(index, at, settings, 0, SampleRange::all(16), observer, rays).total() != right;
         }
         CHECK(changed > 0);
     }

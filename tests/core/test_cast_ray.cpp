@@ -1,4 +1,5 @@
-// Does castRay count its rays, its depth and its light as the conventions say? Where the answer has no variance.
+// Does castRay count its rays, its depth and its light as the conventions say? Where the answer has no
+// variance.
 #include <doctest/doctest.h>
 
 #include "core/estimate.h"
@@ -19,7 +20,8 @@ Settings settingsOf(std::uint32_t samples, std::uint32_t maxDepth, Sampler sampl
     return settings;
 }
 
-Irradiance gather(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings, std::uint64_t& rays) {
+Irradiance gather(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
+                  std::uint64_t& rays) {
     NoObserver observer;
     return gatherOnce(index, at, settings, 0, SampleRange::all(settings.samples), observer, rays);
 }
@@ -55,8 +57,8 @@ TEST_CASE("castRay: one shadow ray for each light and half-disk, in a convex roo
 }
 
 TEST_CASE("castRay: depth is E at D and L at D + 1") {
-    // In a closed room where all walls are alike, cosine sampling has no variance: every ray returns L at depth D, and every
-    // weight is 2. So E = 2 L_D to rounding.
+    // In a closed room where all walls are alike, cosine sampling has no variance: every ray returns L at
+    // depth D, and every weight is 2. So E = 2 L_D to rounding.
     for (const double albedo : {0.0, 0.5, 1.0}) {
         const Scene room = polygonRoom(furnacePolygon(), Rgb(albedo), Rgb(0.3));
         const SegmentIndex index(room);
@@ -67,7 +69,8 @@ TEST_CASE("castRay: depth is E at D and L at D + 1") {
             const Irradiance E = gather(index, at, settingsOf(3, depth, Sampler::cosine, Emitters::hit));
             CHECK(E.total().x == doctest::Approx(2.0 * radiance).epsilon(1e-13));
             CHECK(E.direct.x == doctest::Approx(0.6).epsilon(1e-13));
-            CHECK(outgoingRadiance(index, at, E.total()).x == doctest::Approx(0.3 + albedo * radiance).epsilon(1e-13));
+            CHECK(outgoingRadiance(index, at, E.total()).x ==
+                  doctest::Approx(0.3 + albedo * radiance).epsilon(1e-13));
         }
     }
 }

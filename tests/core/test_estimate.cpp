@@ -40,16 +40,18 @@ TEST_CASE("estimate: the same bits on 1, 2, 3 and 8 threads") {
         std::uint32_t samples;
         std::uint64_t repeats;
     };
-    for (const Size size : {Size{1, 5000}, Size{4, 3000}, Size{64, 100}, Size{1023, 5}, Size{1024, 5}, Size{1025, 5},
-                            Size{5000, 7}, Size{700, 9}})
+    for (const Size size : {Size{1, 5000}, Size{4, 3000}, Size{64, 100}, Size{1023, 5}, Size{1024, 5},
+                            Size{1025, 5}, Size{5000, 7}, Size{700, 9}})
         for (const auto& sampler : kSamplers) {
             Settings settings = settingsOf(size.samples, size.samples > 100 ? 0 : 1);
             settings.sampler = sampler.value;
-            const Estimate one = estimateIrradiance(index, at, settings, {.repeats = size.repeats, .threads = 1});
+            const Estimate one =
+                estimateIrradiance(index, at, settings, {.repeats = size.repeats, .threads = 1});
             CHECK(one.repeats.count == size.repeats);
             CHECK(one.samples.count == size.repeats * size.samples);
             for (const unsigned threads : {2u, 3u, 8u})
-                CHECK(sameBits(one, estimateIrradiance(index, at, settings, {.repeats = size.repeats, .threads = threads})));
+                CHECK(sameBits(one, estimateIrradiance(index, at, settings,
+                                                       {.repeats = size.repeats, .threads = threads})));
         }
 }
 
@@ -64,7 +66,8 @@ TEST_CASE("estimate: its means are those of the single runs") {
         for (std::uint64_t repeat = 0; repeat < 6; ++repeat) {
             NoObserver observer;
             std::uint64_t rays = 0;
-            const Irradiance E = gatherOnce(index, at, settings, 4 + repeat, SampleRange::all(samples), observer, rays);
+            const Irradiance E =
+                gatherOnce(index, at, settings, 4 + repeat, SampleRange::all(samples), observer, rays);
             means.add(E.total());
             direct += E.direct / 6.0;
             indirect += E.indirect / 6.0;
@@ -75,7 +78,8 @@ TEST_CASE("estimate: its means are those of the single runs") {
         CHECK(estimate.irradiance().y == doctest::Approx(means.mean.y).epsilon(1e-12));
         CHECK(estimate.direct.z == doctest::Approx(direct.z).epsilon(1e-12));
         CHECK(estimate.indirect.z == doctest::Approx(indirect.z).epsilon(1e-12));
-        CHECK((estimate.direct + estimate.indirect).x == doctest::Approx(estimate.irradiance().x).epsilon(1e-12));
+        CHECK((estimate.direct + estimate.indirect).x ==
+              doctest::Approx(estimate.irradiance().x).epsilon(1e-12));
     }
 }
 
@@ -102,11 +106,13 @@ TEST_CASE("estimate: stops when cancelled, before or during the work") {
     const ShadedPoint at = shadedPointOn(index, 0, 0.4);
     for (const unsigned threads : {1u, 3u}) {
         std::atomic<bool> cancelled = true;
-        const EstimateOptions options = {.repeats = 1'000'000'000, .threads = threads, .cancelled = &cancelled};
+        const EstimateOptions options = {
+            .repeats = 1'000'000'000, .threads = threads, .cancelled = &cancelled};
         CHECK(estimateIrradiance(index, at, settingsOf(16, 2), options).rays == 0);
         cancelled = false;
         Estimate estimate;  // would take years; this test ends only if the flag is heard
-        std::thread worker([&] { estimate = estimateIrradiance(index, at, settingsOf(100'000, 5), options); });
+        std::thread worker(
+            [&] { estimate = estimateIrradiance(index, at, settingsOf(100'000, 5), options); });
         cancelled = true;
         worker.join();
         CHECK(estimate.repeats.count < options.repeats);
@@ -119,7 +125,8 @@ TEST_CASE("estimate: a flag that stays down changes no bit") {
     const ShadedPoint at = shadedPointOn(index, 0, 0.4);
     const std::atomic<bool> cancelled = false;
     CHECK(sameBits(estimateIrradiance(index, at, settingsOf(8, 1), {.repeats = 50}),
-                   estimateIrradiance(index, at, settingsOf(8, 1), {.repeats = 50, .threads = 2, .cancelled = &cancelled})));
+                   estimateIrradiance(index, at, settingsOf(8, 1),
+                                      {.repeats = 50, .threads = 2, .cancelled = &cancelled})));
 }
 
 TEST_CASE("estimate: raysPerRepeat is never exceeded, and reached in closed rooms") {
@@ -132,13 +139,15 @@ TEST_CASE("estimate: raysPerRepeat is never exceeded, and reached in closed room
                 const Settings settings = settingsOf(samples, depth, emitters.value);
                 const Scene mixed = mixedRoom();
                 const SegmentIndex open(mixed);
-                const Estimate some = estimateIrradiance(open, shadedPointOn(open, 0, 0.4), settings, {.repeats = 10});
+                const Estimate some =
+                    estimateIrradiance(open, shadedPointOn(open, 0, 0.4), settings, {.repeats = 10});
                 CHECK(static_cast<double>(some.rays) <= 10.0 * raysPerRepeat(open, settings));
                 // Convex, so that every wall faces the point light.
                 Scene room = polygonRoom(regularPolygon(5));
                 room.lights.emplace_back(PointLight{{0.1, 0.1}, Rgb(1.0)});
                 const SegmentIndex closed(room);
-                const Estimate all = estimateIrradiance(closed, shadedPointOn(closed, 0, 0.4), settings, {.repeats = 10});
+                const Estimate all =
+                    estimateIrradiance(closed, shadedPointOn(closed, 0, 0.4), settings, {.repeats = 10});
                 CHECK(static_cast<double>(all.rays) == 10.0 * raysPerRepeat(closed, settings));
             }
 }

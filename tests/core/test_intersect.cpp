@@ -22,9 +22,15 @@ struct IntegerWall {
     Integers a, b;
 };
 
-std::int64_t crossOf(Integers u, Integers v) { return u.x * v.y - u.y * v.x; }
-Integers minus(Integers p, Integers q) { return {p.x - q.x, p.y - q.y}; }
-Vec2 real(Integers p) { return {static_cast<double>(p.x), static_cast<double>(p.y)}; }
+std::int64_t crossOf(Integers u, Integers v) {
+    return u.x * v.y - u.y * v.x;
+}
+Integers minus(Integers p, Integers q) {
+    return {p.x - q.x, p.y - q.y};
+}
+Vec2 real(Integers p) {
+    return {static_cast<double>(p.x), static_cast<double>(p.y)};
+}
 
 struct ExactHit {
     std::uint32_t segment = kNoSegment;
@@ -33,8 +39,8 @@ struct ExactHit {
     bool front = false;
 };
 
-/// Cramer's rule for o + t d = a + u (b - a) in whole numbers. Empty for rays that meet a vertex or two walls at the same t:
-/// those have rules of their own.
+/// Cramer's rule for o + t d = a + u (b - a) in whole numbers. Empty for rays that meet a vertex or two walls
+/// at the same t: those have rules of their own.
 std::optional<ExactHit> exactHit(const std::vector<IntegerWall>& walls, Integers o, Integers d) {
     ExactHit closest;
     for (std::uint32_t i = 0; i < walls.size(); ++i) {
@@ -60,7 +66,8 @@ Integers randomPoint(Random& random, std::int64_t size) {
     return {x, random.integer(-size, size)};
 }
 
-/// Rays through random walls on a grid of whole numbers, where every side test is exact. Returns how many were compared.
+/// Rays through random walls on a grid of whole numbers, where every side test is exact. Returns how many
+/// were compared.
 int compareOnGrid(std::int64_t size, int scenes, int rays, std::uint64_t seed) {
     Random random(seed);
     int compared = 0;
@@ -116,14 +123,17 @@ TEST_CASE("intersect: agrees with long double on real coordinates, at any scale 
             const SegmentIndex index(scene);
             for (int r = 0; r < 3000; ++r) {
                 const Vec2 o = offset + scale * random.pointIn(-1.0, 1.0), d = random.direction();
-                // Differences of doubles are exact in long double at these ratios, so only its own rounding remains.
+                // Differences of doubles are exact in long double at these ratios, so only its own rounding
+                // remains.
                 long double nearest = INFINITY, second = INFINITY, margin = INFINITY;
                 std::uint32_t met = kNoSegment;
                 for (std::uint32_t i = 0; i < 12; ++i) {
                     const Segment& w = scene.segments[i];
                     using Real = long double;
-                    const Real ex = Real{w.b.x} - w.a.x, ey = Real{w.b.y} - w.a.y, ax = Real{w.a.x} - o.x, ay = Real{w.a.y} - o.y;
-                    const Real down = d.x * ey - d.y * ex, t = (ax * ey - ay * ex) / down, u = (ax * d.y - ay * d.x) / down;
+                    const Real ex = Real{w.b.x} - w.a.x, ey = Real{w.b.y} - w.a.y, ax = Real{w.a.x} - o.x,
+                               ay = Real{w.a.y} - o.y;
+                    const Real down = d.x * ey - d.y * ex, t = (ax * ey - ay * ex) / down,
+                               u = (ax * d.y - ay * d.x) / down;
                     margin = std::min({margin, std::abs(u), std::abs(u - 1.0L)});
                     if (u < 0.0L || u > 1.0L || t <= 0.0L) continue;
                     if (t < nearest) {
@@ -141,7 +151,8 @@ TEST_CASE("intersect: agrees with long double on real coordinates, at any scale 
                     continue;
                 }
                 REQUIRE(hit.segment == met);
-                if (met != kNoSegment) REQUIRE(std::abs(hit.t - nearest) <= 1e-12L * scale * (1.0L + nearest / scale));
+                if (met != kNoSegment)
+                    REQUIRE(std::abs(hit.t - nearest) <= 1e-12L * scale * (1.0L + nearest / scale));
             }
         }
     }

@@ -1,4 +1,5 @@
-// Which rules does an intersection keep beside geometry? Skips, coincident walls, backs, ends of a shadow ray, bad scenes.
+// Which rules does an intersection keep beside geometry? Skips, coincident walls, backs, ends of a shadow
+// ray, bad scenes.
 #include <doctest/doctest.h>
 
 #include <stdexcept>
@@ -126,7 +127,8 @@ TEST_CASE("intersect: points on a wall stay clear of its ends and on its line") 
             REQUIRE(glm::dot(p - b, a - b) > 0.0);
         }
         const double u = random.in(0.1, 0.9);
-        REQUIRE(std::abs(glm::length(index.pointOn(0, u) - a) - u * index.length(0)) <= 2.0 * index.originShift(0));
+        REQUIRE(std::abs(glm::length(index.pointOn(0, u) - a) - u * index.length(0)) <=
+                2.0 * index.originShift(0));
     }
 }
 

@@ -1,4 +1,5 @@
-// Can light leak out of a closed room? From every wall, from its very ends, in sharp corners, at grazing angles.
+// Can light leak out of a closed room? From every wall, from its very ends, in sharp corners, at grazing
+// angles.
 #include <doctest/doctest.h>
 
 #include "core/estimate.h"
@@ -58,17 +59,28 @@ int leaks(const std::vector<Vec2>& points, const std::vector<double>& us, const 
 }  // namespace
 
 TEST_CASE("leak: none from polygons of many shapes, sizes and places") {
-    const std::vector<std::vector<Vec2>> shapes = {
-        {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, wedge(60.0), wedge(10.0), wedge(2.0), wedge(60.0, 0.4),
-        wedge(10.0, 1.1), wedge(2.0, 2.7), regularPolygon(100), starPolygon(5, 0.3, 1.0), furnacePolygon()};
+    const std::vector<std::vector<Vec2>> shapes = {{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}},
+                                                   wedge(60.0),
+                                                   wedge(10.0),
+                                                   wedge(2.0),
+                                                   wedge(60.0, 0.4),
+                                                   wedge(10.0, 1.1),
+                                                   wedge(2.0, 2.7),
+                                                   regularPolygon(100),
+                                                   starPolygon(5, 0.3, 1.0),
+                                                   furnacePolygon()};
     const auto thetas = halfDisk(100);
     for (std::size_t shape = 0; shape < shapes.size(); ++shape)
-        for (const auto& [scale, offset] : {std::pair{1.0, Vec2(0.0)}, {1.0, Vec2(1e6, -1e6)}, {1e-6, Vec2(0.0)},
-                                            {1e6, Vec2(0.0)}, {1e-6, Vec2(0.01)}, {1.0, Vec2(-0.4, 0.7)}}) {
+        for (const Placing& placing : {Placing{1.0, Vec2(0.0)},
+                                       {1.0, Vec2(1e6, -1e6)},
+                                       {1e-6, Vec2(0.0)},
+                                       {1e6, Vec2(0.0)},
+                                       {1e-6, Vec2(0.01)},
+                                       {1.0, Vec2(-0.4, 0.7)}}) {
             CAPTURE(shape);
-            CAPTURE(scale);
-            CAPTURE(offset.x);
-            CHECK(leaks(moved(shapes[shape], scale, offset), kEnds, thetas) == 0);
+            CAPTURE(placing.scale);
+            CAPTURE(placing.offset.x);
+            CHECK(leaks(moved(shapes[shape], placing.scale, placing.offset), kEnds, thetas) == 0);
         }
 }
 
@@ -77,18 +89,22 @@ TEST_CASE("leak: none from 20 000 random triangles") {
     const auto thetas = halfDisk(4);
     int found = 0, tried = 0;
     while (tried < 20'000) {
-        std::vector<Vec2> points = {random.pointIn(-1.0, 1.0), random.pointIn(-1.0, 1.0), random.pointIn(-1.0, 1.0)};
+        std::vector<Vec2> points = {random.pointIn(-1.0, 1.0), random.pointIn(-1.0, 1.0),
+                                    random.pointIn(-1.0, 1.0)};
         if (cross(points[1] - points[0], points[2] - points[0]) < 0.0) std::swap(points[1], points[2]);
-        // Every corner sharper than 1 degree is left out: the margin at a wall's end is made for those above 1/64 rad.
+        // Every corner sharper than 1 degree is left out: the margin at a wall's end is made for those above
+        // 1/64 rad.
         bool sharp = false;
         for (std::size_t i = 0; i < 3; ++i) {
-            const Vec2 p = glm::normalize(points[(i + 1) % 3] - points[i]), q = glm::normalize(points[(i + 2) % 3] - points[i]);
+            const Vec2 p = glm::normalize(points[(i + 1) % 3] - points[i]),
+                       q = glm::normalize(points[(i + 2) % 3] - points[i]);
             sharp = sharp || glm::dot(p, q) > std::cos(kPi / 180.0);
         }
         if (sharp) continue;
         ++tried;
         const double scale = std::pow(10.0, random.in(-3.0, 3.0));
-        found += leaks(moved(points, scale, random.in(0.0, 10.0) * random.direction()), {0.0, random.in(0.0, 1.0), 1.0}, thetas);
+        found += leaks(moved(points, scale, random.in(0.0, 10.0) * random.direction()),
+                       {0.0, random.in(0.0, 1.0), 1.0}, thetas);
     }
     CHECK(found == 0);
 }
@@ -104,7 +120,8 @@ TEST_CASE("leak: none where a box stands on the ground (T-junctions)") {
     Hit hit;
     for (int i = 1; i < 1000; ++i) {
         const double down = kPi / 2.0 * i / 1000.0;
-        CHECK(staysInside(index, left, 0.0, down, hit) == false);  // up and away: right is upwards on this wall
+        CHECK(staysInside(index, left, 0.0, down, hit) ==
+              false);  // up and away: right is upwards on this wall
         // Downwards from the foot of the box, the ground.
         REQUIRE(staysInside(index, left, 0.0, kPi - down, hit));
         REQUIRE(hit.segment == ground);
@@ -126,7 +143,8 @@ TEST_CASE("leak: a ray that starts exactly on the wall would leak (why the origi
         const SegmentIndex index(room);
         const ShadedPoint at = shadedPointOn(index, 0, random.in(0.0, 1.0));
         const double theta = random.in(0.0, kPi);
-        const Hit hit = index.closestHit({at.P, frameFromNormal(at.N).toWorld(std::cos(theta), std::sin(theta))});
+        const Hit hit =
+            index.closestHit({at.P, frameFromNormal(at.N).toWorld(std::cos(theta), std::sin(theta))});
         if (!hit || !hit.front) ++leaked;
     }
     CHECK(leaked > 10);

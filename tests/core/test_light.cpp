@@ -10,7 +10,9 @@ using namespace halfdisk::test;
 
 namespace {
 
-doctest::Approx near(double x) { return doctest::Approx(x).epsilon(1e-12); }
+doctest::Approx near(double x) {
+    return doctest::Approx(x).epsilon(1e-12);
+}
 
 /// Angle (rad) under which a segment is seen.
 double subtended(Vec2 P, const Segment& s) {
@@ -67,7 +69,8 @@ TEST_CASE("light: the mean of 1 / pdfAngle over a segment is the angle under whi
     Random random(1);
     for (int i = 0; i < 200; ++i) {
         Scene scene;
-        const Vec2 a = random.pointIn(-2.0, 2.0), b = random.pointIn(-2.0, 2.0), P = random.pointIn(-1.0, 1.0);
+        const Vec2 a = random.pointIn(-2.0, 2.0), b = random.pointIn(-2.0, 2.0),
+                   P = random.pointIn(-1.0, 1.0);
         addWall(scene, a, b, Rgb(0.0), Rgb(1.0));
         const SegmentIndex index(scene);
         const bool inFront = cross(b - a, P - a) > 0.0;
@@ -88,7 +91,8 @@ TEST_CASE("light: L_i times pdfAngle is the radiance, and pdfLight agrees with s
     int compared = 0;
     for (int i = 0; i < 20'000; ++i) {
         Scene scene;
-        addWall(scene, random.pointIn(-2.0, 2.0), random.pointIn(-2.0, 2.0), Rgb(0.0), {3.0, 2.0, 1.0}, i % 2 == 0);
+        addWall(scene, random.pointIn(-2.0, 2.0), random.pointIn(-2.0, 2.0), Rgb(0.0), {3.0, 2.0, 1.0},
+                i % 2 == 0);
         const SegmentIndex index(scene);
         const Vec2 P = random.pointIn(-2.0, 2.0);
         const double u = random.in(0.0, 1.0);
@@ -149,6 +153,7 @@ TEST_CASE("light: a wall that emits never spoils its own estimate") {
             settings.sampler = sampler.value;
             settings.emitters = emitters.value;
             for (std::uint32_t wall = 0; wall < 4; ++wall)
-                CHECK(estimateIrradiance(index, shadedPointOn(index, wall, 0.3), settings, {.repeats = 20}).nonFinite() == 0);
+                CHECK(estimateIrradiance(index, shadedPointOn(index, wall, 0.3), settings, {.repeats = 20})
+                          .nonFinite() == 0);
         }
 }

@@ -1,4 +1,5 @@
-// Is the record of a run a consistent tree that can be read forwards and backwards, and does recording change nothing?
+// Is the record of a run a consistent tree that can be read forwards and backwards, and does recording change
+// nothing?
 #include <doctest/doctest.h>
 
 #include <map>
@@ -26,10 +27,12 @@ struct Recorded {
     std::uint64_t rays = 0;
 };
 
-Recorded recorded(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings, std::size_t limit = 200'000) {
+Recorded recorded(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
+                  std::size_t limit = 200'000) {
     Recorder recorder(limit);
     Recorded result;
-    result.irradiance = gatherOnce(index, at, settings, 0, SampleRange::all(settings.samples), recorder, result.rays);
+    result.irradiance =
+        gatherOnce(index, at, settings, 0, SampleRange::all(settings.samples), recorder, result.rays);
     result.record = recorder.take();
     return result;
 }
@@ -51,8 +54,7 @@ TEST_CASE("recorder: a recorded run returns the same bits and casts the same ray
             CHECK(seen.irradiance.direct == E.direct);
             CHECK(seen.irradiance.indirect == E.indirect);
             CHECK(seen.rays == rays);
-            // The record's count is the one at the last half-disk ray; shadow rays may follow it only inside deeper calls.
-            CHECK(seen.record.rays <= rays);
+            CHECK(seen.record.rays == rays);
         }
 }
 
@@ -83,7 +85,8 @@ TEST_CASE("recorder: N^d half-disks at depth d, each below the sample that led t
 TEST_CASE("recorder: calls are brackets of events, one inside the other") {
     const Scene scene = mixedRoom();
     const SegmentIndex index(scene);
-    const Record record = recorded(index, shadedPointOn(index, 0, 0.4), settingsOf(6, 2, Emitters::both)).record;
+    const Record record =
+        recorded(index, shadedPointOn(index, 0, 0.4), settingsOf(6, 2, Emitters::both)).record;
     std::vector<std::uint32_t> open;
     for (std::uint32_t i = 0; i < record.events.size(); ++i) {
         const Event& event = record.events[i];
@@ -123,79 +126,13 @@ TEST_CASE("recorder: every sample passes through the listing's steps in their or
         }
         std::vector<EventKind> expected = {EventKind::enter};
         for (int n = 0; n < 4; ++n)
-            for (const EventKind kind : {EventKind::sample, EventKind::direction, EventKind::meet, EventKind::arrival,
-                                         EventKind::accumulate})
+            for (const EventKind kind : {EventKind::sample, EventKind::direction, EventKind::meet,
+                                         EventKind::arrival, EventKind::accumulate})
                 expected.push_back(kind);
         expected.push_back(EventKind::average);
         expected.push_back(EventKind::leave);
         REQUIRE(kinds == expected);
     }
-}
-
-TEST_CASE("recorder: the running sums are the sums of what was added, and what a call returns is what its caller gets") {
-    const Scene scene = mixedRoom();
-    const SegmentIndex index(scene);
-    const Settings settings = settingsOf(6, 2, Emitters::hit);
-    const Recorded run = recorded(index, shadedPointOn(index, 0, 0.4), settings);
-    const Record& record = run.record;
-    const auto same = [](const Rgb& a, const Rgb& b) { return glm::length(a - b) <= 1e-13 * (1.0 + glm::length(b)); };
-    int scattered = 0;
-    for (std::uint32_t c = 0; c < record.calls.size(); ++c) {
-        Rgb sum(0.0), direct(0.0);
-        double theta = 0.0, pdfAngle = 1.0;
-        Rgb arrived(0.0);
-        for (std::uint32_t i = record.calls[c].firstEvent; i <= record.calls[c].lastEvent; ++i) {
-            const Event& event = record.events[i];
-            if (event.call != c) continue;
-            if (event.kind == EventKind::light) direct = event.sum;
-            if (event.kind == EventKind::sample) theta = event.theta, pdfAngle = event.pdfAngle;
-            if (event.kind == EventKind::arrival) {
-                arrived = event.value;
-                const Event& before = record.events[i - 1];
-                if (before.kind == EventKind::leave) {
-                    ++scattered;
-                    const Call& child = record.calls[before.call];
-                    REQUIRE(child.at.segment == event.segment);
-                    const Rgb emitted = scene.segments[event.segment].emission;
-                    REQUIRE(same(arrived, emitted + before.value * child.at.albedo / 2.0));
-                }
-            }
-            if (event.kind == EventKind::accumulate) {
-                REQUIRE(same(event.value, arrived * std::sin(theta) / pdfAngle));
-                sum += event.value;
-                REQUIRE(same(event.sum, sum));
-            }
-            if (event.kind == EventKind::average) REQUIRE(same(event.value, sum / 6.0));
-            if (event.kind == EventKind::leave) REQUIRE(same(event.value, direct + sum / 6.0));
-        }
-    }
-    CHECK(scattered > 5);
-    CHECK(same(record.events.back().value, run.irradiance.total()));
-}
-
-TEST_CASE("recorder: points lie on what was met") {
-    Scene scene = mixedRoom();
-    const SegmentIndex index(scene);
-    const Record record = recorded(index, shadedPointOn(index, 0, 0.4), settingsOf(20, 1, Emitters::both)).record;
-    int met = 0, missed = 0, lights = 0;
-    for (const Event& event : record.events) {
-        if (event.kind == EventKind::light && !event.missed) {
-            ++lights;
-            if (event.light == 0) REQUIRE(glm::length(event.to - Vec2(1.0, 1.2)) < 1e-12);
-        }
-        if (event.kind != EventKind::meet) continue;
-        event.missed ? ++missed : ++met;
-        if (event.missed) {
-            REQUIRE(event.segment == kNoSegment);
-            REQUIRE(glm::length(event.to - event.from - event.direction) < 1e-12);
-        } else {
-            const Segment& s = scene.segments[event.segment];
-            REQUIRE(std::abs(glm::dot(event.to - s.a, frontNormal(s))) < 1e-12);
-        }
-    }
-    CHECK(met > 0);
-    CHECK(missed > 0);
-    CHECK(lights > 0);
 }
 
 TEST_CASE("recorder: a full record keeps all of depth 0 and says that it was cut") {
@@ -207,7 +144,8 @@ TEST_CASE("recorder: a full record keeps all of depth 0 and says that it was cut
         for (const Event& event : record.events) count += event.depth == 0;
         return count;
     };
-    const Recorded whole = recorded(index, at, settingsOf(10, 2)), cut = recorded(index, at, settingsOf(10, 2), 60);
+    const Recorded whole = recorded(index, at, settingsOf(10, 2)),
+                   cut = recorded(index, at, settingsOf(10, 2), 60);
     CHECK_FALSE(whole.record.truncated);
     CHECK(cut.record.truncated);
     CHECK(depth0(cut.record) == depth0(whole.record));
@@ -224,8 +162,8 @@ TEST_CASE("recorder: stops when it is cancelled") {
     const std::atomic<bool> cancelled = true;
     Recorder recorder(1000, &cancelled);
     std::uint64_t rays = 0;
-    gatherOnce(index, shadedPointOn(index, 0, 0.5), settingsOf(1'000'000'000, 4), 0, SampleRange::all(1'000'000'000),
-               recorder, rays);
+    gatherOnce(index, shadedPointOn(index, 0, 0.5), settingsOf(1'000'000'000, 4), 0,
+               SampleRange::all(1'000'000'000), recorder, rays);
     CHECK(rays == 0);
 }
 

@@ -15,7 +15,8 @@ namespace {
 template <class Draw>
 double uniformity(int count, const Draw& draw) {
     std::vector<std::uint64_t> cells(100);
-    for (int i = 0; i < count; ++i) ++cells[static_cast<std::size_t>(draw(static_cast<std::uint32_t>(i)) * 100.0)];
+    for (int i = 0; i < count; ++i)
+        ++cells[static_cast<std::size_t>(draw(static_cast<std::uint32_t>(i)) * 100.0)];
     return chiSquareTest(cells, std::vector<double>(100, count / 100.0));
 }
 
@@ -69,7 +70,8 @@ TEST_CASE("rng: no two of 190 000 neighbouring addresses give the same number") 
                     const Rng rng(seed, repeat);
                     all.push_back(rng.uniform(n, d));
                     for (std::uint32_t k = 0; k < 15; ++k) all.push_back(rng.child(k).uniform(n, d));
-                    for (std::uint32_t k = 0; k < 3; ++k) all.push_back(rng.child(k).child(k + 1).uniform(n, d));
+                    for (std::uint32_t k = 0; k < 3; ++k)
+                        all.push_back(rng.child(k).child(k + 1).uniform(n, d));
                 }
     std::sort(all.begin(), all.end());
     // By chance two of m = 190 000 numbers of 52 bits are equal with probability m^2 / 2^53 = 4e-6.
@@ -91,31 +93,43 @@ TEST_CASE("rng: uniform along each part of the address") {
     CHECK(uniformity(kDraws, [&](std::uint32_t i) { return rng.uniform(i, 1); }) > kRare);
     CHECK(uniformity(kDraws, [&](std::uint32_t i) { return rng.uniform(0, i); }) > kRare);
     CHECK(uniformity(kDraws, [&](std::uint32_t i) { return rng.child(i).uniform(0, 0); }) > kRare);
-    CHECK(uniformity(kDraws, [&](std::uint32_t i) { return rng.child(i % 16).child(i / 16).uniform(3, 0); }) > kRare);
+    CHECK(uniformity(kDraws, [&](std::uint32_t i) { return rng.child(i % 16).child(i / 16).uniform(3, 0); }) >
+          kRare);
     CHECK(uniformity(kDraws, [&](std::uint32_t i) { return Rng(11, i).uniform(0, 0); }) > kRare);
     CHECK(uniformity(kDraws, [&](std::uint32_t i) { return Rng(i, 0).uniform(0, 0); }) > kRare);
 }
 
 TEST_CASE("rng: the low bits are uniform as well") {
     const Rng rng(5, 0);
-    CHECK(uniformity(kDraws, [&](std::uint32_t i) { return std::fmod(rng.uniform(i, 0) * 0x1p40, 1.0); }) > kRare);
+    CHECK(uniformity(kDraws, [&](std::uint32_t i) { return std::fmod(rng.uniform(i, 0) * 0x1p40, 1.0); }) >
+          kRare);
 }
 
 TEST_CASE("rng: neighbouring addresses are not correlated") {
     using Pair = std::pair<double, double>;
     const Rng rng(2, 9);
     const auto close = [](double z) { return std::abs(z) < kSingle; };
-    CHECK(close(correlation(kDraws, [&](std::uint32_t i) { return Pair{rng.uniform(i, 0), rng.uniform(i, 1)}; })));
-    CHECK(close(correlation(kDraws, [&](std::uint32_t i) { return Pair{rng.uniform(i, 0), rng.uniform(i + 1, 0)}; })));
-    CHECK(close(correlation(kDraws, [&](std::uint32_t i) { return Pair{rng.uniform(i, 1), rng.uniform(i, 2)}; })));
-    CHECK(close(correlation(
-        kDraws, [&](std::uint32_t i) { return Pair{rng.child(i).uniform(0, 0), rng.child(i + 1).uniform(0, 0)}; })));
-    CHECK(close(
-        correlation(kDraws, [&](std::uint32_t i) { return Pair{rng.uniform(i, 0), rng.child(i).uniform(0, 0)}; })));
-    CHECK(close(correlation(
-        kDraws, [&](std::uint32_t i) { return Pair{Rng(2, i).uniform(0, 0), Rng(2, i + 1).uniform(0, 0)}; })));
-    CHECK(close(correlation(
-        kDraws, [&](std::uint32_t i) { return Pair{Rng(i, 0).uniform(0, 0), Rng(i + 1, 0).uniform(0, 0)}; })));
+    CHECK(close(correlation(kDraws, [&](std::uint32_t i) {
+        return Pair{rng.uniform(i, 0), rng.uniform(i, 1)};
+    })));
+    CHECK(close(correlation(kDraws, [&](std::uint32_t i) {
+        return Pair{rng.uniform(i, 0), rng.uniform(i + 1, 0)};
+    })));
+    CHECK(close(correlation(kDraws, [&](std::uint32_t i) {
+        return Pair{rng.uniform(i, 1), rng.uniform(i, 2)};
+    })));
+    CHECK(close(correlation(kDraws, [&](std::uint32_t i) {
+        return Pair{rng.child(i).uniform(0, 0), rng.child(i + 1).uniform(0, 0)};
+    })));
+    CHECK(close(correlation(kDraws, [&](std::uint32_t i) {
+        return Pair{rng.uniform(i, 0), rng.child(i).uniform(0, 0)};
+    })));
+    CHECK(close(correlation(kDraws, [&](std::uint32_t i) {
+        return Pair{Rng(2, i).uniform(0, 0), Rng(2, i + 1).uniform(0, 0)};
+    })));
+    CHECK(close(correlation(kDraws, [&](std::uint32_t i) {
+        return Pair{Rng(i, 0).uniform(0, 0), Rng(i + 1, 0).uniform(0, 0)};
+    })));
 }
 
 TEST_CASE("rng: the tests above can fail") {

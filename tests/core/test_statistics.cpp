@@ -67,7 +67,8 @@ TEST_CASE("statistics: the sum of squares alone would have failed at 1e9") {
 TEST_CASE("statistics: merging parts is adding them one after the other, up to rounding") {
     const auto xs = numbers(3.0, 2, 10'000);
     const Statistics whole = of(xs);
-    for (const std::size_t cut : {std::size_t{0}, std::size_t{1}, std::size_t{5000}, std::size_t{9999}, xs.size()}) {
+    for (const std::size_t cut :
+         {std::size_t{0}, std::size_t{1}, std::size_t{5000}, std::size_t{9999}, xs.size()}) {
         Statistics parts = of({xs.begin(), xs.begin() + static_cast<std::ptrdiff_t>(cut)});
         parts.merge(of({xs.begin() + static_cast<std::ptrdiff_t>(cut), xs.end()}));
         CHECK(parts.count == whole.count);

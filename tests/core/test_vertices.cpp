@@ -1,4 +1,5 @@
-// Does a ray that is aimed at a vertex leave a closed polygon exactly once? No leak between neighbours, no double hit.
+// Does a ray that is aimed at a vertex leave a closed polygon exactly once? No leak between neighbours, no
+// double hit.
 #include <doctest/doctest.h>
 
 #include "core/intersect.h"
@@ -10,13 +11,8 @@ using namespace halfdisk::test;
 
 namespace {
 
-struct Placing {
-    double scale;
-    Vec2 offset;
-};
-
-const std::vector<Placing> kPlacings = {{1.0, {0.0, 0.0}},   {1.0, {1e6, -1e6}}, {1e-6, {0.0, 0.0}},
-                                        {1e6, {0.0, 0.0}},   {1e-6, {1.0, 1.0}}, {0.7, {0.3, 12345.678}},
+const std::vector<Placing> kPlacings = {{1.0, {0.0, 0.0}}, {1.0, {1e6, -1e6}}, {1e-6, {0.0, 0.0}},
+                                        {1e6, {0.0, 0.0}}, {1e-6, {1.0, 1.0}}, {0.7, {0.3, 12345.678}},
                                         {1e6, {1e6, -3e5}}};
 
 /// How many walls the ray crosses, each wall asked alone.
@@ -31,7 +27,8 @@ int crossings(const Scene& scene, const Ray& ray) {
     return count;
 }
 
-/// From an inner point of a convex polygon: one wall on the way out, met from its front, and nothing behind it.
+/// From an inner point of a convex polygon: one wall on the way out, met from its front, and nothing behind
+/// it.
 void checkOneWayOut(const SegmentIndex& index, Ray ray) {
     const Hit hit = index.closestHit(ray);
     REQUIRE(hit);
@@ -46,7 +43,9 @@ void checkOneWayOut(const SegmentIndex& index, Ray ray) {
 TEST_CASE("vertices: out of convex polygons of 3 to 10 000 sides exactly once") {
     Random random(1);
     for (const int sides : {3, 4, 5, 17, 100, 1000, 10'000}) {
-        for (const auto& [scale, offset] : kPlacings) {
+        for (const Placing& placing : kPlacings) {
+            const double scale = placing.scale;
+            const Vec2 offset = placing.offset;
             CAPTURE(sides);
             CAPTURE(scale);
             CAPTURE(offset.x);
@@ -104,5 +103,6 @@ TEST_CASE("vertices: straight through two vertices of a square, and along its wa
     CHECK(crossings(room, {{0.5, 0.5}, {-1.0, 1.0}}) == 1);
     CHECK(crossings(room, {{-1.0, 0.0}, {1.0, 0.0}}) % 2 == 0);  // along the floor
     CHECK(crossings(room, {{-1.0, 1.0}, {1.0, 0.0}}) % 2 == 0);  // along the ceiling
-    CHECK(crossings(room, {{-1.0, 1.0}, {1.0, -1.0}}) % 2 == 0);  // touches nothing but the corner at the origin
+    CHECK(crossings(room, {{-1.0, 1.0}, {1.0, -1.0}}) % 2 ==
+          0);  // touches nothing but the corner at the origin
 }

@@ -95,6 +95,13 @@ TEST_CASE("steps are checked") {
     check(kStep + "question = ^'Q'", {"\"question\" is a string", "expected a table"});
 }
 
+TEST_CASE("a lesson has at most 200 steps") {
+    std::string text = kHead;
+    for (int i = 0; i < 200; ++i) text += "[[step]]\ntitle = 'A'\nprose = 'B'\n";
+    CHECK_NOTHROW(parseLesson(text, "dir/01-x.toml", sceneNamed));
+    check(text + "^[[step]]\ntitle = 'A'\nprose = 'B'\n", {"201 tables [[step]]", "at most 200"});
+}
+
 TEST_CASE("values are checked, in a step as in the defaults") {
     for (const std::string& head : {kStep + "[step.set]\n", kHead + "[defaults]\n"}) {
         const std::string tail =

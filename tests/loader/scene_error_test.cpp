@@ -215,6 +215,8 @@ TEST_CASE("text that is no TOML is refused") {
         {"[[segment]^\na = 1", {"not valid TOML"}},
         {"title = ^maybe", {"not valid TOML"}},
         {"title = ^\u03b8", {"\"\u03b8\" stands outside of quotes"}},
+        {"title = \"^\U00100001\"", {"private character"}},
+        {"title = \"x\"\n[^=]", {"not valid TOML"}},
         {deepKey, {"too many parts", "at most 16"}},
     });
 }

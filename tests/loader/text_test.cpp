@@ -6,6 +6,7 @@
 
 #include "lessons/suggestions.h"
 #include "lessons/toml_hazards.h"
+#include "lessons/toml_shield.h"
 #include "lessons/utf8.h"
 
 using namespace halfdisk;
@@ -70,4 +71,17 @@ TEST_CASE("only the dots of keys count as nesting, and only strings and comments
             CHECK(offset(before + word).has_value());
         }
     }
+}
+
+TEST_CASE("shielded text holds nothing between ASCII and plane 16 and comes back as it was") {
+    const std::string text =
+        "\xef\xbb\xbf"
+        "a\u0080\u00e9\u07ff\u0800\u03b8\ufeff\ud7ff\ue000\uffff\U00010000\U000fffff";
+    CHECK(unshielded(shielded(text)) == text);
+    CHECK(shielded("\u03b8") == "\U001003b8");
+    CHECK(shielded("\uffff") == "\U0010ffff");
+    CHECK(characterCount(shielded(text)) == characterCount(text));
+    CHECK_FALSE(firstUnshieldable(text).has_value());
+    CHECK(firstUnshieldable("a\U00100000") == std::size_t{1});
+    CHECK(firstUnshieldable("\"\\U001003b8\"") == std::size_t{1});
 }

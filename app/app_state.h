@@ -25,6 +25,9 @@ struct Playback {
 /// What the pointer holds on the canvas.
 enum class Grip : std::uint8_t { none, point, canvas };
 
+/// Which column a small screen shows; a large one shows all three.
+enum class Pane : std::uint8_t { lesson, stage, controls };
+
 struct AppState {
     // the library
     std::filesystem::path lessonsFolder;
@@ -45,6 +48,8 @@ struct AppState {
     Camera camera;
     bool fitCamera = true;  ///< at the next frame
     Grip grip = Grip::none;
+    Pane pane = Pane::lesson;
+    bool canvasHidden = false;  ///< on a low screen: the code or plot takes the canvas' place
     bool answerShown = false;
     bool helpShown = false;
     float uiScale = 1.0f;

@@ -53,24 +53,25 @@ void cornerButtons(const Canvas& canvas) {
     const float spacing = ImGui::GetStyle().ItemSpacing.x, padding = 2 * ImGui::GetStyle().FramePadding.x;
     float width = 0.0f;
     for (const char* label : {"Fit", "Grid", "A-", "A+", "?"}) width += textSize(label).x + padding + spacing;
-    const ImVec2 corner{canvas.rect.max.x - width - canvas.px(2), canvas.rect.min.y + canvas.px(6)};
+    const float left = std::max(canvas.rect.min.x, canvas.rect.max.x - width - canvas.px(2));
+    const ImVec2 corner{left, canvas.rect.min.y + canvas.px(6)};
     canvas.list.AddRectFilled({corner.x - canvas.px(6), canvas.rect.min.y},
                               {canvas.rect.max.x, corner.y + ImGui::GetFrameHeight() + canvas.px(6)},
                               ui.palette.background);
     ImGui::SetCursorScreenPos(corner);
     if (button(ui.widgets, "Fit")) ui.commands.push_back(FitCamera{});
     tooltip("show the whole scene (F)");
-    ImGui::SameLine();
+    sameLineIfFits("Grid");
     bool grid = ui.state.shows(View::grid);
     if (toggle(ui.widgets, "Grid", grid)) ui.commands.push_back(SetView{View::grid, grid});
     tooltip("a grid behind the scene (G)");
-    ImGui::SameLine();
+    sameLineIfFits("A-");
     if (button(ui.widgets, "A-")) ui.commands.push_back(SetUiScale{ui.state.uiScale / 1.25f});
     tooltip("everything smaller (Ctrl -)");
-    ImGui::SameLine();
+    sameLineIfFits("A+");
     if (button(ui.widgets, "A+")) ui.commands.push_back(SetUiScale{ui.state.uiScale * 1.25f});
     tooltip("everything larger, for the last row (Ctrl +)");
-    ImGui::SameLine();
+    sameLineIfFits("?");
     if (button(ui.widgets, "?")) ui.commands.push_back(ToggleHelp{});
     tooltip("keys (?)");
 }
@@ -82,12 +83,13 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     beginChild("canvas", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const CanvasRect rect{origin, {origin.x + available.x, origin.y + available.y}};
-    const float buttons = 44 * ui.scale, legend = 40 * ui.scale, margin = 56 * ui.scale;
+    const float buttons = 44 * ui.scale, legend = std::min(54 * ui.scale, 0.2f * available.y);
+    const float margin = std::min(56 * ui.scale, 0.12f * available.x);
     const CanvasRect inner{{rect.min.x + margin, rect.min.y + buttons},
                            {rect.max.x - margin, rect.max.y - legend}};
     Camera camera = state.camera;
     if (state.fitCamera) {
-        camera = fitted(state.scene->bounds, inner, 14 * ui.scale);
+        camera = fitted(state.scene->bounds, inner, std::min(14 * ui.scale, 0.05f * available.y));
         camera.center.y += (inner.center().y - rect.center().y) / camera.pixelsPerMeter;
         ui.commands.push_back(SetCamera{camera});
     }

@@ -104,7 +104,7 @@ void drawSamples(const Canvas& canvas) {
                                 withOpacity(color, many ? 0.25f : 0.7f), canvas.px(1.2f));
         }
     }
-    if (!state.shows(View::halfdisk)) return;
+    if (!state.shows(View::halfdisk) || !state.shows(View::rays)) return;
     for (std::size_t i = 0; i < view.end; ++i) {
         const Event& event = view.record->events[i];
         if (event.depth == 0 && event.kind == EventKind::direction)

@@ -94,6 +94,7 @@ void drawWalls(const Canvas& canvas) {
         canvas.list.AddLine(a, b, palette.wallFront, canvas.px(3));
         const ImVec2 front{canvas.px(3) * static_cast<float>(frontNormal(s).x),
                            -canvas.px(3) * static_cast<float>(frontNormal(s).y)};
+        if (!isEmitter(s) && gray(std::get<Diffuse>(scene.materials[s.material]).albedo) < 0.02) continue;
         const Rgb albedo = std::get<Diffuse>(scene.materials[s.material]).albedo;
         const ImU32 face = isEmitter(s) ? palette.light : packed(albedo);
         canvas.list.AddLine({a.x + front.x, a.y + front.y}, {b.x + front.x, b.y + front.y}, face,

@@ -18,38 +18,48 @@ void transport(const Ui& ui) {
     const std::size_t count = state.eventCount();
     if (button(ui.widgets, "Start")) ui.commands.push_back(SetEvent{0});
     tooltip("to the first step (Home)");
-    ImGui::SameLine();
+    sameLineIfFits("Back");
     if (button(ui.widgets, "Back")) ui.commands.push_back(StepEvents{-1});
     tooltip("one step back (left arrow)");
-    ImGui::SameLine();
+    sameLineIfFits("Step");
     if (button(ui.widgets, "Step")) ui.commands.push_back(StepEvents{+1});
     tooltip("one step on (right arrow)");
-    ImGui::SameLine();
+    sameLineIfFits("Pause");
     if (button(ui.widgets, playback.playing ? "Pause" : "Play")) ui.commands.push_back(TogglePlay{});
     tooltip("step by step by itself (space)");
-    ImGui::SameLine();
+    sameLineIfFits("End");
     if (button(ui.widgets, "End")) ui.commands.push_back(SetEvent{count});
     tooltip("to the last step (End)");
-    ImGui::SameLine();
+    const std::string position =
+        playback.stepping ? fmt::format("{} / {}", std::min(playback.event, count), count) : "whole run";
+    sameLineIfFits(position);
     ImGui::AlignTextToFramePadding();
-    text(ui.widgets,
-         playback.stepping ? fmt::format("{} / {}", std::min(playback.event, count), count) : "whole run");
+    text(ui.widgets, position);
 }
 
+/// Two lines of words and one of numbers; always as high, so that the code below stays where it is.
 void stepWords(const Ui& ui) {
     const StepText words = describeStep(ui.state);
-    const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetFontSize() + 2 * ui.scale;
-    ImGui::Dummy({ImGui::GetContentRegionAvail().x, 2 * line});
+    beginChild("words", {0, 2 * line + ui.fonts.code->FontSize}, false,
+               ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 2 * ui.scale});
     if (words.where.empty()) {
+        textWrapped(ui.widgets, "Press Step to walk through this run.");
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
         const bool printed = ui.state.settings.defects != DefectSet{};
-        drawText(ui, origin, ui.palette.ink, "Press Step to walk through this run.");
-        drawText(ui, {origin.x, origin.y + line}, ui.palette.inkSoft,
-                 printed ? "core/as_printed.h, as compiled" : "core/cast_ray.h, as compiled");
-        return;
+        textWrapped(ui.widgets, printed ? "core/as_printed.h, as compiled" : "core/cast_ray.h, as compiled");
+        ImGui::PopStyleColor();
+    } else {
+        textWrapped(ui.widgets, words.where + ": " + words.what);
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.accent);
+        ImGui::PushFont(ui.fonts.code);
+        textWrapped(ui.widgets, words.values);
+        ImGui::PopFont();
+        ImGui::PopStyleColor();
     }
-    drawText(ui, origin, ui.palette.ink, words.where + ": " + words.what);
-    drawText(ui, {origin.x, origin.y + line}, ui.palette.accent, words.values, Align::left, ui.fonts.code);
+    ImGui::PopStyleVar();
+    ImGui::EndChild();
 }
 
 /// Whether the step's own `listing` asks for this line to be marked.

@@ -176,6 +176,8 @@ void applyUnchecked(AppState& state, const Command& command) {
                    [&](SetGrip c) { state.grip = c.grip; },
                    [&](SetUiScale c) { state.uiScale = std::clamp(c.scale, 0.5f, 4.0f); },
                    [&](SetView c) { state.show.set(c.view, c.on); },
+                   [&](ShowPane c) { state.pane = c.pane; },
+                   [&](HideCanvas c) { state.canvasHidden = c.hidden; },
                    [&](RevealAnswer) { state.answerShown = true; },
                    [&](UnlockAll c) { state.unlockAll = c.on; },
                    [&](ToggleHelp) { state.helpShown = !state.helpShown; },

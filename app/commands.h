@@ -56,6 +56,12 @@ struct SetView {
     View view;
     bool on;
 };
+struct ShowPane {
+    Pane pane;
+};
+struct HideCanvas {
+    bool hidden;
+};
 struct RevealAnswer {};
 struct UnlockAll {
     bool on;
@@ -63,10 +69,10 @@ struct UnlockAll {
 struct ToggleHelp {};
 struct DismissBanner {};
 
-using Command =
-    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload, SetSettings, MovePoint,
-                 SetEvent, StepEvents, JumpToLine, ShowWholeRun, TogglePlay, SetCamera, FitCamera, SetGrip,
-                 SetUiScale, SetView, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
+using Command = std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload,
+                             SetSettings, MovePoint, SetEvent, StepEvents, JumpToLine, ShowWholeRun,
+                             TogglePlay, SetCamera, FitCamera, SetGrip, SetUiScale, SetView, ShowPane,
+                             HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.

@@ -86,7 +86,8 @@ void defectSwitches(const Ui& ui, Settings& settings) {
 void controlsPanel(const Ui& ui) {
     const AppState& state = ui.state;
     Settings settings = state.settings;
-    ImGui::PushItemWidth(0.58f * ImGui::GetContentRegionAvail().x);
+    const float labels = textSize("maxDepth").x + 2 * ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - labels);
     whileUnlocked(ui, Control::samples, [&] {
         dragNumber<std::uint32_t>(ui.widgets, "N", settings.samples,
                                   {1, kMostLessonSamples, 1.0f, "%u", true});
@@ -114,10 +115,12 @@ void controlsPanel(const Ui& ui) {
 
     if (!step) return;
     bool unlockAll = state.unlockAll;
-    const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float half = (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x) / 2;
+    const float width = std::max(half, textSize("Unlock all").x + 2 * style.FramePadding.x);
     if (toggle(ui.widgets, "Unlock all", unlockAll, {width, 0})) ui.commands.push_back(UnlockAll{unlockAll});
     tooltip("Each step unlocks one control. This unlocks all of them; Reset returns to the step.");
-    ImGui::SameLine();
+    sameLineIfFits("Reset", width);
     if (button(ui.widgets, "Reset", {width, 0})) ui.commands.push_back(ResetStep{});
     tooltip("everything as the step began (R)");
 }

@@ -28,6 +28,13 @@ std::string shown(double value) {
     return fmt::format("{:.4g}", value);
 }
 
+void sameLineIfFits(std::string_view label, float width) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float needed = width > 0.0f ? width : textSize(label).x + 2 * style.FramePadding.x;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + needed <= right + 0.5f) ImGui::SameLine();
+}
+
 bool isGray(const Rgb& value) {
     const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
     return same(value.x, value.y) && same(value.x, value.z);

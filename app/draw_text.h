@@ -16,6 +16,9 @@ enum class Align : std::uint8_t { left, middle, right };
 ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view words, Align align = Align::left,
                 ImFont* font = nullptr);
 
+/// The next button with this label goes beside the last item if there is room, else below it.
+void sameLineIfFits(std::string_view label, float width = 0.0f);
+
 ImVec2 textSize(std::string_view words, ImFont* font = nullptr);
 
 /// A number as it is shown: four significant digits, no needless zeros.

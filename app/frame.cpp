@@ -13,42 +13,44 @@ constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFla
                                     ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
 
-/// Left column, canvas, right column; pixels.
-struct Layout {
-    float left, right, width, height;
-};
+/// How many columns fit side by side. Design pixels: those of scale 1.
+constexpr float kThreeColumns = 1140, kTwoColumns = 560;
+/// A lower stage shows the canvas or what is below it, not both.
+constexpr float kLowStage = 460;
 
-Layout layOut(float scale) {
-    const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    return {std::floor(std::min(330 * scale, 0.34f * screen.x)),
-            std::floor(std::min(310 * scale, 0.33f * screen.x)), screen.x, screen.y};
-}
-
-void beginColumn(const char* name, float x, float width, float height, ImGuiWindowFlags more = 0) {
-    ImGui::SetNextWindowPos({x, 0.0f});
-    ImGui::SetNextWindowSize({width, height});
+void beginColumn(const char* name, float x, float width, float top, ImGuiWindowFlags more = 0) {
+    ImGui::SetNextWindowPos({x, top});
+    ImGui::SetNextWindowSize({width, ImGui::GetIO().DisplaySize.y - top});
     ImGui::Begin(name, nullptr, kFixed | more);
 }
 
-void middleColumn(const Ui& ui) {
+void stage(const Ui& ui) {
     const AppState& state = ui.state;
-    const ImVec2 all = ImGui::GetContentRegionAvail();
-    const float gap = ImGui::GetStyle().ItemSpacing.y;
     const bool code = state.shows(View::code), integrand = state.shows(View::integrand);
-    if (!code && !integrand) return canvasPanel(ui, all);
+    const bool low = ImGui::GetContentRegionAvail().y < kLowStage * ui.scale;
+    if (low && (code || integrand)) {
+        bool hidden = state.canvasHidden;
+        if (toggle(ui.widgets, code ? "Code" : "Plot", hidden)) ui.commands.push_back(HideCanvas{hidden});
+        tooltip("what belongs below the canvas, in its place");
+    }
+    const ImVec2 all = ImGui::GetContentRegionAvail();
+    if ((!code && !integrand) || (low && !state.canvasHidden)) return canvasPanel(ui, all);
     const float below = std::floor(code ? 0.46f * all.y : std::min(0.4f * all.y, 300 * ui.scale));
-    canvasPanel(ui, {all.x, all.y - below - gap});
+    const ImVec2 rest{all.x, low ? all.y : below};
+    if (!low) canvasPanel(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     if (code)
-        codePanel(ui, {all.x, below});
+        codePanel(ui, rest);
     else
-        integrandPlot(ui, {all.x, below});
+        integrandPlot(ui, rest);
 }
 
-void rightColumn(const Ui& ui) {
+void controls(const Ui& ui) {
     const AppState& state = ui.state;
     controlsPanel(ui);
-    ImGui::Separator();
-    numbersPanel(ui);
+    if (state.shows(View::numbers) || state.shows(View::exact)) {
+        ImGui::Separator();
+        numbersPanel(ui);
+    }
     std::vector<void (*)(const Ui&, ImVec2)> plots;
     if (state.shows(View::code) && state.shows(View::integrand)) plots.push_back(integrandPlot);
     if (state.shows(View::error)) plots.push_back(errorPlot);
@@ -60,6 +62,68 @@ void rightColumn(const Ui& ui) {
     const float count = static_cast<float>(plots.size());
     const float height = std::clamp((left.y - spacing * (count - 1)) / count, 170 * ui.scale, 260 * ui.scale);
     for (const auto plot : plots) plot(ui, {left.x, std::floor(height)});
+}
+
+void column(const Ui& ui, Pane pane, float x, float width, float top) {
+    switch (pane) {
+        case Pane::lesson:
+            beginColumn("Lesson", x, width, top);
+            lessonPanel(ui);
+            break;
+        case Pane::stage:
+            beginColumn("Stage", x, width, top,
+                        ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+            stage(ui);
+            break;
+        case Pane::controls:
+            beginColumn("Controls", x, width, top);
+            controls(ui);
+            break;
+    }
+    ImGui::End();
+}
+
+/// The bar by which a small screen chooses its column. Returns its height.
+float paneBar(const Ui& ui, float width, Pane shown, bool stageToo) {
+    const float height = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
+    ImGui::SetNextWindowPos({0.0f, 0.0f});
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::Begin("Panes", nullptr, kFixed | ImGuiWindowFlags_NoScrollbar);
+    const float count = stageToo ? 3.0f : 2.0f, spacing = ImGui::GetStyle().ItemSpacing.x;
+    const float each = (ImGui::GetContentRegionAvail().x - (count - 1) * spacing) / count;
+    const auto choice = [&](const char* label, Pane pane) {
+        bool on = shown == pane;
+        if (toggle(ui.widgets, label, on, {each, 0})) ui.commands.push_back(ShowPane{pane});
+    };
+    choice("Lesson", Pane::lesson);
+    ImGui::SameLine();
+    if (stageToo) {
+        choice("Stage", Pane::stage);
+        ImGui::SameLine();
+    }
+    choice("Controls", Pane::controls);
+    ImGui::End();
+    return height;
+}
+
+void columns(const Ui& ui) {
+    const float all = ImGui::GetIO().DisplaySize.x, design = all / ui.scale;
+    const Pane pane = ui.state.pane;
+    if (design < kTwoColumns) {
+        column(ui, pane, 0.0f, all, paneBar(ui, all, pane, true));
+        return;
+    }
+    const float left = std::floor(330 * ui.scale), right = std::floor(310 * ui.scale);
+    if (design < kThreeColumns) {
+        const Pane shown = pane == Pane::controls ? Pane::controls : Pane::lesson;
+        const float side = std::floor(std::min(left, 0.5f * all));
+        column(ui, shown, 0.0f, side, paneBar(ui, side, shown, false));
+        column(ui, Pane::stage, side, all - side, 0.0f);
+        return;
+    }
+    column(ui, Pane::lesson, 0.0f, left, 0.0f);
+    column(ui, Pane::stage, left, all - left - right, 0.0f);
+    column(ui, Pane::controls, all - right, right, 0.0f);
 }
 
 /// Play: four steps a second.
@@ -95,18 +159,7 @@ void frame(Session& session, const Fonts& fonts, float uiScale) {
 
     Commands commands;
     const Ui ui{state, fonts, session.palette, session.listings, session.widgets, commands, uiScale};
-    const Layout layout = layOut(uiScale);
-    const float middle = layout.width - layout.left - layout.right;
-    beginColumn("Lesson", 0.0f, layout.left, layout.height);
-    lessonPanel(ui);
-    ImGui::End();
-    beginColumn("Stage", layout.left, middle, layout.height,
-                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
-    middleColumn(ui);
-    ImGui::End();
-    beginColumn("Controls", layout.left + middle, layout.right, layout.height);
-    rightColumn(ui);
-    ImGui::End();
+    columns(ui);
     if (!state.banner.empty()) bannerBar(ui);
     if (state.helpShown) helpOverlay(ui);
     keyboard(ui);

@@ -9,14 +9,17 @@
 namespace halfdisk {
 namespace {
 
-/// A name on the left, a value on the right, in one line each.
+/// A name on the left, a value on the right; below it if the column is too narrow for both.
 void row(const Ui& ui, std::string_view name, std::string_view value, ImU32 color, std::string_view meaning) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x;
-    ImGui::Dummy({width, ImGui::GetFontSize() + 2 * ui.scale});
+    const float line = ImGui::GetFontSize() + 2 * ui.scale;
+    const bool fits = textSize(name).x + textSize(value, ui.fonts.strong).x + 6 * ui.scale <= width;
+    ImGui::Dummy({width, fits ? line : 2 * line});
     if (!meaning.empty()) tooltip(meaning);
     drawText(ui, origin, ui.palette.inkSoft, name);
-    drawText(ui, {origin.x + width, origin.y}, color, value, Align::right, ui.fonts.strong);
+    drawText(ui, {origin.x + width, origin.y + (fits ? 0.0f : line)}, color, value, Align::right,
+             ui.fonts.strong);
 }
 
 std::string withThousands(std::uint64_t n) {
@@ -55,21 +58,31 @@ void estimateRows(const Ui& ui, const LightAnswer& answer) {
     const bool printed = ui.state.settings.defects != DefectSet{};
     row(ui, printed ? "E as printed" : "estimate of E", value, palette.estimate,
         "What the run of N samples says arrives at P (irradiance, W/m), plus or minus one standard error of "
-        "such a run. Of a coloured light, the mean of red, green and blue.");
-    if (!isGray(E)) row(ui, "in red, green, blue", shown(E), palette.estimate, "The same, colour by colour.");
+        "such a run. "
+        "Of a coloured light, the mean of red, green and blue.");
+    if (!isGray(E)) row(ui, "E in R, G, B", shown(E), palette.estimate, "The same, colour by colour.");
     if (answer.corrected)
         row(ui, "E corrected", shown(gray(answer.corrected->total())), palette.normal,
             "The same run, the same random numbers, by the corrected castRay.");
-    if (!ui.state.shows(View::exact)) return;
-    if (!answer.exact) {
-        row(ui, "exact E", answer.complete ? "not known" : "\u2026", palette.exact,
-            "Being computed by quadrature.");
-        return;
-    }
-    row(ui, "exact E", shown(gray(*answer.exact)), palette.exact,
+}
+
+void exactRow(const Ui& ui, const LightAnswer& answer) {
+    const bool searching = !answer.exact && !answer.complete;
+    const std::string value = answer.exact ? shown(gray(*answer.exact)) : searching ? "\u2026" : "not known";
+    row(ui, "exact E", value, ui.palette.exact,
         "The integral itself, by quadrature between the edges of what P sees (W/m). Nothing random in it.");
-    const double exact = gray(*answer.exact), off = gray(E) - exact;
-    if (exact != 0.0) row(ui, "off by", fmt::format("{:+.1f} %", 100.0 * off / exact), palette.ink, "");
+}
+
+void costRows(const Ui& ui, const LightAnswer& answer) {
+    const Palette& palette = ui.palette;
+    if (ui.state.shows(View::exact) && answer.exact && gray(*answer.exact) != 0.0)
+        row(ui, "off by",
+            fmt::format("{:+.1f} %", 100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0)),
+            palette.ink, "Estimate against exact value.");
+    row(ui, "L of the wall", shown(answer.radiance), palette.ink,
+        "The radiance that P's wall sends out: its emission plus albedo / 2 times E, in W/(m rad).");
+    row(ui, "rays cast", withThousands(answer.rays), palette.ink,
+        "Half-disk rays at all depths and shadow rays, in this one run.");
 }
 
 }  // namespace
@@ -89,18 +102,13 @@ void numbersPanel(const Ui& ui) {
         ImGui::PopStyleColor();
         return;
     }
-    if (runIsFinished(state)) {
-        estimateRows(ui, answer);
-        row(ui, "radiance L of the wall", shown(answer.radiance), palette.ink,
-            "What P's wall sends out: its emission plus albedo / 2 times E, in W/(m rad).");
-        row(ui, "rays cast", withThousands(answer.rays), palette.ink,
-            "Half-disk rays at all depths and shadow rays, in this one run.");
-    } else {
+    const bool numbers = state.shows(View::numbers), finished = runIsFinished(state);
+    if (numbers && finished) estimateRows(ui, answer);
+    if (numbers && !finished)
         row(ui, "estimate of E", fmt::format("step {} of {}", state.playback.event, state.eventCount()),
             palette.estimate, "The run is not finished yet: step on, or press End.");
-        if (state.shows(View::exact) && answer.exact)
-            row(ui, "exact E", shown(gray(*answer.exact)), palette.exact, "");
-    }
+    if (state.shows(View::exact)) exactRow(ui, answer);
+    if (numbers && finished) costRows(ui, answer);
     if (answer.nonFinite > 0)
         row(ui, "samples not finite", withThousands(answer.nonFinite), palette.error,
             "Samples that are infinite or not a number. They are left out of the mean, and should not "

@@ -47,7 +47,7 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
     for (const IntegrandPoint& p : answer.integrand) top = std::max(top, gray(p.radiance));
     if (top <= 0.0) top = 1.0;
     const Plot plot = beginPlot(ui, "integrand", kTitle, size,
-                                {-90.0, 90.0, false, "angle \u03b8 from the normal (degrees)", 30.0},
+                                {-90.0, 90.0, false, "\u03b8 from the normal (degrees)", 30.0},
                                 {0.0, 1.5 * top, false, "W/(m rad)", 0.0});
 
     std::vector<ImVec2> radiance, weighted;

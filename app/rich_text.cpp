@@ -90,7 +90,7 @@ void drawWord(const Ui& ui, const Word& word, ImVec2 at, float lineHeight, const
 /// Returns the height used.
 float drawParagraph(const Ui& ui, const Paragraph& paragraph, ImVec2 origin, float width,
                     const std::vector<Term>& terms) {
-    const float lineHeight = 1.32f * ui.fonts.prose->FontSize;
+    const float lineHeight = 1.24f * ui.fonts.prose->FontSize;
     const float space = textSize(" ", ui.fonts.prose).x;
     const std::vector<Word> words = wordsOf(paragraph);
     ImVec2 at = origin;

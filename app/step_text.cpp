@@ -86,8 +86,7 @@ StepText describeStep(const AppState& state) {
             text.values = "mean = " + shown(event->value) + " W/m";
             break;
         case EventKind::leave:
-            text.what =
-                "All that arrives, direct and indirect; castRay goes on with step 7, times albedo / 2.";
+            text.what = "All that arrives. Step 7, times albedo / 2, is castRay's.";
             text.values = "E = " + shown(event->value) + " W/m";
             break;
     }

@@ -35,7 +35,7 @@ enum class View : std::uint8_t {
 enum class Control : std::uint8_t { point, samples, depth, seed, sampler, emitters, defects, step };
 
 inline constexpr std::array<Named<View>, 11> kViews{{
-    {View::halfdisk, "halfdisk", "the half-disk over P and the sample points on its arc"},
+    {View::halfdisk, "halfdisk", "the half-disk over P; with rays, also the sample points on its arc"},
     {View::rays, "rays", "the sample rays, coloured by what they bring back"},
     {View::tree, "tree", "the rays of the recursion, fading with depth"},
     {View::integrand, "integrand", "the light that arrives at P against \u03b8"},

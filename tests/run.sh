@@ -5,10 +5,12 @@ set -euo pipefail
 usage() {
     cat <<EOF
 usage: run.sh [--label LABEL] [--sanitize] [--fuzz-seconds S] [-- CTEST-ARGUMENTS...]
+       run.sh --bench
 
   --label LABEL     only tests whose label matches this regular expression, such as unit or 'unit|fuzz'
   --sanitize        under AddressSanitizer and UndefinedBehaviorSanitizer, built in build-sanitize/
   --fuzz-seconds S  how long each fuzz target runs (60)
+  --bench           no tests, but the benchmarks in full: time per frame, cost of a ray and of castRay's observer
 
 Without --sanitize, and unless a label excludes them, the fuzz targets are built in build-fuzz/ and run as well.
 EOF
@@ -20,7 +22,7 @@ refuse() {
     exit 2
 }
 
-label='' sanitize=false fuzz_seconds=60 ctest_arguments=()
+label='' sanitize=false bench=false fuzz_seconds=60 ctest_arguments=()
 while [[ $# -gt 0 ]]; do
     case $1 in
         --label)
@@ -29,6 +31,7 @@ while [[ $# -gt 0 ]]; do
             shift 2
             ;;
         --sanitize) sanitize=true; shift ;;
+        --bench) bench=true; shift ;;
         --fuzz-seconds)
             [[ $# -ge 2 && $2 =~ ^[1-9][0-9]*$ ]] || refuse "--fuzz-seconds needs a whole number of seconds"
             fuzz_seconds=$2
@@ -50,6 +53,11 @@ failed=false
 run_ctest() {
     ctest --test-dir "$1" --parallel "$(nproc)" --output-on-failure --no-tests=error "${@:2}" || failed=true
 }
+
+if $bench; then
+    bash "$root/app/setup.sh" --tests
+    exec "$root/build/tests/bench/halfdisk_bench"
+fi
 
 by_label=()
 if [[ -n $label ]]; then by_label=(--label-regex "$label"); fi

@@ -94,13 +94,15 @@ TEST_CASE("a step unlocks its one control; Unlock all unlocks the others") {
         CAPTURE(control.name);
         Rig rig(stepOf(control.value));
         REQUIRE(rig.state().currentStep()->unlock == control.value);
-        for (const auto& [owner, name] : names) CHECK(rig.driver.get(name).enabled == (owner == control.value));
+        for (const auto& [owner, name] : names)
+            CHECK(rig.driver.get(name).enabled == (owner == control.value));
         rig.driver.click("Controls/Unlock all");
         rig.driver.frames();
         for (const auto& [owner, name] : names) CHECK(rig.driver.get(name).enabled);
         rig.driver.click("Controls/Unlock all");
         rig.driver.frames();
-        for (const auto& [owner, name] : names) CHECK(rig.driver.get(name).enabled == (owner == control.value));
+        for (const auto& [owner, name] : names)
+            CHECK(rig.driver.get(name).enabled == (owner == control.value));
     }
 }
 

@@ -134,7 +134,8 @@ TEST_CASE("the lit line is in sight while stepping") {
         rig.driver.frames(2);
         const int line = lineNow(rig);
         CAPTURE(line);
-        const Widget& lit = rig.driver.get((line < 10 ? "Stage/line 00" : "Stage/line 0") + std::to_string(line));
+        const Widget& lit =
+            rig.driver.get((line < 10 ? "Stage/line 00" : "Stage/line 0") + std::to_string(line));
         CHECK(lit.target.height() > 0.9f * lit.rect.height());
     }
 }

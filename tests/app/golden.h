@@ -1,0 +1,31 @@
+// Where are the golden pictures, and when does a picture match its golden one?
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/png_image.h"
+#include "lessons/lesson_list.h"
+
+namespace halfdisk {
+
+inline constexpr int kGoldenWidth = 1280, kGoldenHeight = 800;
+inline constexpr int kToleranceLevels = 2;
+inline constexpr std::size_t kMostOutliers = 20;  ///< pixels
+
+std::filesystem::path goldenFolder();
+/// "gather-1"
+std::string goldenName(const LessonRef& step);
+std::filesystem::path goldenFile(const LessonRef& step);
+
+/// Every step of every lesson of the course, in its order. Throws InputError if a lesson is broken.
+std::vector<LessonRef> courseSteps();
+
+/// As the program draws it, without a display.
+Image pictureOfStep(const LessonRef& step);
+
+/// Equal sizes, and no more pixels beyond the tolerance than allowed.
+bool matches(const Image& actual, const Image& golden);
+
+}  // namespace halfdisk

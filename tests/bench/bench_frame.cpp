@@ -1,0 +1,65 @@
+// How much CPU time does a frame take while P is dragged along the walls?
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/frame.h"
+#include "app/headless_host.h"
+#include "benches.h"
+#include "timing.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr double kMostMilliseconds = 8.0;
+
+/// A place `fraction` of the way round all walls, by number and not by length.
+WallPoint along(const Scene& scene, double fraction) {
+    const double place = fraction * static_cast<double>(scene.segments.size());
+    const auto segment = static_cast<std::uint32_t>(place);
+    return {segment, place - segment};
+}
+
+/// ms of each frame. The answer to each place is shown in later frames, as it comes, while the next is asked
+/// for.
+std::vector<double> dragAlong(const LessonEntry& entry, int frames) {
+    const auto host = HeadlessHost::withoutGl(1280, 800);
+    Session session;
+    session.state = openLesson(entry.path.parent_path(), LessonRef{entry.slug, 1});
+    for (const Named<View>& view : kViews) apply(session.state, SetView{view.value, true});
+    Settings settings = session.state.settings;
+    settings.samples = 64;
+    settings.maxDepth = 2;
+    apply(session.state, SetSettings{settings});
+    const auto draw = [&] { frame(session, host->fonts(), host->uiScale()); };
+    askLight(session);
+    session.light.waitUntilIdle();
+    constexpr int kWarmUp = 5;
+    std::vector<double> milliseconds;
+    for (int i = -kWarmUp; i < frames; ++i) {
+        const double fraction = (i + kWarmUp + 0.5) / (frames + kWarmUp);
+        apply(session.state, MovePoint{along(session.state.scene->scene, fraction)});
+        const double start = threadSeconds();
+        host->frameWithoutDrawing(draw);
+        if (i >= 0) milliseconds.push_back(1e3 * (threadSeconds() - start));
+    }
+    return milliseconds;
+}
+
+}  // namespace
+
+void benchFrame(Effort effort) {
+    const int frames = effort == Effort::full ? 600 : 20;
+    fmt::print(
+        "CPU time per frame while P is dragged, N = 64, maxDepth = 2, every view on (required: < {} ms)\n",
+        kMostMilliseconds);
+    fmt::print("  {:<24} {:>10} {:>10} {:>10}\n", "lesson", "median", "95 %", "most");
+    const auto folder = std::filesystem::path(HALFDISK_ROOT) / "lessons";
+    for (const LessonEntry& entry : listLessons(folder)) {
+        if (!entry.error.empty()) throw InputError(entry.error);
+        const std::vector<double> times = dragAlong(entry, frames);
+        fmt::print("  {:<24} {:>7.2f} ms {:>7.2f} ms {:>7.2f} ms\n", entry.slug, quantile(times, 0.5),
+                   quantile(times, 0.95), quantile(times, 1.0));
+    }
+}
+
+}  // namespace halfdisk

@@ -203,7 +203,10 @@ void drawRayLegend(const Canvas& canvas) {
     const Palette& palette = canvas.ui.palette;
     const float line = ImGui::GetFontSize(), width = canvas.px(90);
     const ImVec2 at{canvas.rect.min.x + canvas.px(10), canvas.rect.max.y - line - canvas.px(6)};
-    const std::string least = "ray brings 0", most = shown(brightest(*view.record)) + " W/(m rad)";
+    const std::string most = shown(brightest(*view.record)) + " W/(m rad)";
+    const float others = width + textSize(most).x + canvas.px(40);
+    const bool narrow = textSize("ray brings 0").x + others > canvas.rect.width();
+    const std::string_view least = narrow ? "0" : "ray brings 0";
     const float first = textSize(least).x + canvas.px(8);
     canvas.list.AddRectFilled(
         {at.x - canvas.px(6), at.y - canvas.px(3)},

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/overload.h"
 #include "lessons/lesson_file.h"
 
 namespace halfdisk {
@@ -109,13 +110,6 @@ void jumpToLine(AppState& state, int line) {
         return;
     }
 }
-
-template <class... Cases>
-struct Overload : Cases... {
-    using Cases::operator()...;
-};
-template <class... Cases>
-Overload(Cases...) -> Overload<Cases...>;
 
 /// Does all of `change` or, if it throws, none of it.
 void attempt(AppState& state, const auto& change) {

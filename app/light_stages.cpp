@@ -38,6 +38,7 @@ void findExact(LightAnswer& answer, ReferenceCache& references, const std::atomi
     const unsigned depth = settings.maxDepth;
     constexpr unsigned kDeepestReference = 8;
     if (depth > kDeepestReference) return;
+    if (depth > 1 && scene.scene.segments.size() > Reference::kMostWallsDeep) return;
     if (references.scene != answer.asked.scene || !references.reference || references.depth < depth) {
         references = {answer.asked.scene, depth, std::make_unique<Reference>(scene.index, depth, &cancelled)};
         if (!references.reference->ready()) references = {};

@@ -23,6 +23,11 @@ struct Chunk {
     bool endsRepeat = false;  // the last part of a repeat that takes several chunks
 };
 
+/// A repeat none of whose samples was finite has no mean.
+void addMean(Statistics& repeats, const Statistics& repeat) {
+    if (repeat.count > 0) repeats.add(repeat.mean);
+}
+
 template <class Observer>
 Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
              const EstimateOptions& options, Observer& observer) {
@@ -44,7 +49,7 @@ Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& s
             chunk.indirect += E.indirect;
         }
         chunk.samples.merge(mine);
-        return mine.mean;
+        return mine;
     };
 
     const auto work = [&](std::uint64_t c) {
@@ -58,7 +63,7 @@ Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& s
         } else {
             const std::uint64_t end = std::min((c + 1) * repeatsPerChunk, options.repeats);
             for (std::uint64_t r = c * repeatsPerChunk; r < end; ++r)
-                chunk.repeats.add(addSamples(chunk, r, 0, N));
+                addMean(chunk.repeats, addSamples(chunk, r, 0, N));
         }
         return chunk;
     };
@@ -74,7 +79,7 @@ Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& s
         if (chunksPerRepeat == 1) return;
         openRepeat.merge(chunk.samples);
         if (!chunk.endsRepeat) return;
-        estimate.repeats.add(openRepeat.mean);
+        addMean(estimate.repeats, openRepeat);
         openRepeat = {};
     };
     forChunksInOrder(chunks, options.threads, options.cancelled, work, merge);

@@ -121,15 +121,12 @@ ExactEstimate halfDiskEstimate(const Visibility& visibility, const ShadedPoint& 
         const Rgb second = f * f / pdfHalfDisk(sampler, cosine);
         return Integrals<6>{f.x, f.y, f.z, second.x, second.y, second.z};
     };
-    constexpr double kTolerance = 1e-11;
+    constexpr double kRelative = 1e-11;
+    constexpr int kHalvings = 36;
+    const Integrals<6> sum = integrateOver<6>(visibility.arcs(at), moments, kRelative, kHalvings);
     ExactEstimate exact;
-    Rgb second{0.0};
-    for (const VisibleArc& arc : visibility.arcs(at)) {
-        const Integrals<6> sum = integrate<6>(moments, arc.from, arc.to, kTolerance);
-        exact.mean += Rgb(sum[0], sum[1], sum[2]);
-        second += Rgb(sum[3], sum[4], sum[5]);
-    }
-    exact.variance = second - exact.mean * exact.mean;
+    exact.mean = Rgb(sum[0], sum[1], sum[2]);
+    exact.variance = Rgb(sum[3], sum[4], sum[5]) - exact.mean * exact.mean;
     exact.mean += deltaIrradiance(visibility.index(), at);
     return exact;
 }

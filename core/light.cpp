@@ -2,15 +2,10 @@
 
 #include <cmath>
 
+#include "overload.h"
+
 namespace halfdisk {
 namespace {
-
-template <class... Cases>
-struct Overload : Cases... {
-    using Cases::operator()...;
-};
-template <class... Cases>
-Overload(Cases...) -> Overload<Cases...>;
 
 LightSample fromPoint(const PointLight& light, Vec2 P) {
     const Vec2 way = light.position - P;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -37,7 +38,11 @@ void forChunksInOrder(std::uint64_t chunks, unsigned threads, const std::atomic<
     };
 
     std::vector<std::thread> helpers;
-    for (unsigned i = 1; i < threads && i < chunks; ++i) helpers.emplace_back(run);
+    try {
+        for (unsigned i = 1; i < threads && i < chunks; ++i) helpers.emplace_back(run);
+    } catch (const std::system_error&) {
+        // No more threads are to be had: those that are here do the work.
+    }
     run();
     for (std::thread& helper : helpers) helper.join();
 }

@@ -2,6 +2,7 @@
 // its two halves agree with it.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -39,13 +40,16 @@ Integrals<Count> gaussPanel(const Function& f, double from, double to) {
     return sum;
 }
 
-/// Integrals of f over [from, to], to about `tolerance` each. Gives up halving after `halvings` levels, where
-/// a jump is enclosed to 2^-halvings of the interval.
+/// Integrals of f over [from, to], each to about its `tolerance`. Gives up halving after `halvings` levels,
+/// where a jump is enclosed to 2^-halvings of the interval.
 template <std::size_t Count, class Function>
-Integrals<Count> integrate(const Function& f, double from, double to, double tolerance, int halvings = 36) {
+Integrals<Count> integrate(const Function& f, double from, double to, const Integrals<Count>& tolerance,
+                           int halvings) {
+    // A smooth panel ends by this whatever the tolerance, so only those with a kink are halved to the last.
+    constexpr double kRounding = 1e-13;
     struct Panel {
         const Function& f;
-        double tolerance;
+        const Integrals<Count>& tolerance;
 
         Integrals<Count> refine(double a, double b, const Integrals<Count>& whole, int left) const {
             const double middle = a + (b - a) / 2;
@@ -55,7 +59,8 @@ Integrals<Count> integrate(const Function& f, double from, double to, double tol
             bool agreed = true;
             for (std::size_t i = 0; i < Count; ++i) {
                 sum[i] = low[i] + high[i];
-                agreed = agreed && std::abs(sum[i] - whole[i]) <= tolerance;
+                const double enough = std::max(tolerance[i], kRounding * std::abs(sum[i]));
+                agreed = agreed && std::abs(sum[i] - whole[i]) <= enough;
             }
             if (agreed || left == 0) return sum;
             const Integrals<Count> first = refine(a, middle, low, left - 1),
@@ -65,6 +70,22 @@ Integrals<Count> integrate(const Function& f, double from, double to, double tol
         }
     };
     return Panel{f, tolerance}.refine(from, to, gaussPanel<Count>(f, from, to), halvings);
+}
+
+/// Sum of the integrals of f >= 0 over all `pieces` (anything with `from` and `to`), each to about `relative`
+/// times itself.
+template <std::size_t Count, class Pieces, class Function>
+Integrals<Count> integrateOver(const Pieces& pieces, const Function& f, double relative, int halvings) {
+    Integrals<Count> tolerance{}, sum{};
+    for (const auto& piece : pieces) {
+        const Integrals<Count> rough = gaussPanel<Count>(f, piece.from, piece.to);
+        for (std::size_t i = 0; i < Count; ++i) tolerance[i] += relative * std::abs(rough[i]);
+    }
+    for (const auto& piece : pieces) {
+        const Integrals<Count> part = integrate<Count>(f, piece.from, piece.to, tolerance, halvings);
+        for (std::size_t i = 0; i < Count; ++i) sum[i] += part[i];
+    }
+    return sum;
 }
 
 }  // namespace halfdisk

@@ -35,7 +35,8 @@ Rgb interpolate(const Rgb* values, double x) {
 Reference::Reference(const SegmentIndex& index, unsigned maxDepth, const std::atomic<bool>* cancelled)
     : visibility_(index) {
     const auto& segments = index.scene().segments;
-    if (segments.size() > kMostWalls) throw std::invalid_argument("too many walls for a reference");
+    if (segments.size() > (maxDepth < 2 ? kMostWalls : kMostWallsDeep))
+        throw std::invalid_argument("too many walls for a reference");
     for (std::uint32_t i = 0; i < segments.size(); ++i) {
         firstSide_.push_back(static_cast<std::uint32_t>(sides_.size()));
         sides_.push_back({i, true});
@@ -92,15 +93,10 @@ Rgb Reference::arrivingAfter(unsigned scatterings, const ShadedPoint& at) const 
         const Rgb f = there.albedo / 2.0 * E * std::sin(theta);
         return Integrals<3>{f.x, f.y, f.z};
     };
-    constexpr double kTolerance = 1e-8;
+    constexpr double kRelative = 1e-8;
     constexpr int kHalvings = 20;
-    Rgb sum{0.0};
-    for (const VisibleArc& arc : visibility_.arcs(at)) {
-        if (!arc.hit) continue;
-        const Integrals<3> part = integrate<3>(integrand, arc.from, arc.to, kTolerance, kHalvings);
-        sum += Rgb(part[0], part[1], part[2]);
-    }
-    return sum;
+    const Integrals<3> sum = integrateOver<3>(visibility_.arcs(at), integrand, kRelative, kHalvings);
+    return {sum[0], sum[1], sum[2]};
 }
 
 Rgb Reference::irradianceAt(unsigned scatterings, const Hit& hit) const {

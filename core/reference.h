@@ -15,7 +15,9 @@ namespace halfdisk {
 /// 1e-8 at depth 1, below 1e-3 beyond, where kinks are interpolated.
 class Reference {
  public:
-    static constexpr std::size_t kMostWalls = 200;
+    static constexpr std::size_t kMostWalls = 200;  ///< at depth 0 and 1
+    static constexpr std::size_t kMostWallsDeep =
+        40;  ///< beyond, where the work is done at 56 points of every wall
 
     /// Prepares depths 0 ... maxDepth. The work grows with maxDepth, and with the cube of the walls;
     /// `cancelled` (may be null) ends it early, leaving ready() false. Throws std::invalid_argument above

@@ -109,8 +109,8 @@ TEST_CASE("a step unlocks its one control; Unlock all unlocks the others") {
 TEST_CASE("N is dragged and typed, and stays in its range") {
     Rig rig(stepOf(Control::samples));
     const std::uint32_t before = rig.state().settings.samples;
-    rig.driver.dragBy("Controls/N", 40, 0);
-    CHECK(rig.state().settings.samples > before);
+    rig.driver.dragBy("Controls/N", 100, 0);
+    CHECK(rig.state().settings.samples >= 2 * before);
     rig.driver.dragBy("Controls/N", -4000, 0);
     CHECK(rig.state().settings.samples == 1);
     rig.driver.typeNumber("Controls/N", "200");
@@ -171,12 +171,15 @@ TEST_CASE("samplers and emitters are chosen by name") {
 
 TEST_CASE("each defect has its switch, and the code panel shows the listing that runs") {
     Rig rig(stepOf(Control::defects));
-    // A line that only one of the two listings has.
+    // The shortest line that only one of the two listings has: it is not broken.
     const auto onlyIn = [](const Listing& one, const Listing& other) {
-        for (const ListingLine& line : one)
-            if (std::none_of(other.begin(), other.end(), [&](const auto& o) { return o.text == line.text; }))
-                return "Stage/" + line.text;
-        return std::string("no such line");
+        std::string shortest;
+        for (const ListingLine& line : one) {
+            if (std::any_of(other.begin(), other.end(), [&](const auto& o) { return o.text == line.text; }))
+                continue;
+            if (shortest.empty() || line.text.size() < shortest.size()) shortest = line.text;
+        }
+        return "Stage/" + shortest;
     };
     const std::string corrected = onlyIn(rig.session.listings.corrected, rig.session.listings.asPrinted);
     const std::string printed = onlyIn(rig.session.listings.asPrinted, rig.session.listings.corrected);

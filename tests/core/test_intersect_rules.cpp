@@ -115,7 +115,8 @@ TEST_CASE("intersect: points on a wall stay clear of its ends and on its line") 
     Random random(4);
     for (int i = 0; i < 10'000; ++i) {
         Scene scene;
-        const Vec2 offset = random.in(0.0, 1e3) * random.direction();
+        const double far = random.in(0.0, 1e3);
+        const Vec2 offset = far * random.direction();
         const Vec2 a = offset + random.pointIn(-1.0, 1.0), b = offset + random.pointIn(-1.0, 1.0);
         addWall(scene, a, b);
         const SegmentIndex index(scene);

@@ -91,8 +91,8 @@ TEST_CASE("light: L_i times pdfAngle is the radiance, and pdfLight agrees with s
     int compared = 0;
     for (int i = 0; i < 20'000; ++i) {
         Scene scene;
-        addWall(scene, random.pointIn(-2.0, 2.0), random.pointIn(-2.0, 2.0), Rgb(0.0), {3.0, 2.0, 1.0},
-                i % 2 == 0);
+        const Vec2 a = random.pointIn(-2.0, 2.0), b = random.pointIn(-2.0, 2.0);
+        addWall(scene, a, b, Rgb(0.0), {3.0, 2.0, 1.0}, i % 2 == 0);
         const SegmentIndex index(scene);
         const Vec2 P = random.pointIn(-2.0, 2.0);
         const double u = random.in(0.0, 1.0);

@@ -35,6 +35,13 @@ int takeNumber(std::string& text) {
     return number;
 }
 
+/// Whether the statement goes on in the next line of the source.
+bool isUnfinished(const ListingLine& line) {
+    if (line.comment || line.text.empty()) return false;
+    const char last = line.text.back();
+    return last != ';' && last != '{' && last != '}';
+}
+
 }  // namespace
 
 Listing parseListing(std::string_view source) {
@@ -57,10 +64,14 @@ Listing parseListing(std::string_view source) {
         ListingLine line;
         line.number = takeNumber(text);
         while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.pop_back();
-        const std::size_t indent = std::min(text.find_first_not_of(' '), text.size());
-        text.erase(0, indent / 2);
         line.comment = trimmed(text).substr(0, 2) == "//";
-        line.text = std::move(text);
+        if (!listing.empty() && isUnfinished(listing.back())) {
+            listing.back().text.append(" ").append(trimmed(text));
+            listing.back().number = std::max(listing.back().number, line.number);
+            continue;
+        }
+        const std::size_t indent = std::min(text.find_first_not_of(' '), text.size());
+        line.text = text.substr(indent / 2);
         listing.push_back(std::move(line));
     }
     return listing;

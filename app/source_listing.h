@@ -17,7 +17,8 @@ struct ListingLine {
 using Listing = std::vector<ListingLine>;
 
 /// The part between "// [listing]" and "// [end]". A trailing "// 017" becomes the line's number. What serves
-/// the observer (calls of `see`, template heads and qualifiers) is left out.
+/// the observer (calls of `see`, template heads and qualifiers) is left out; a statement is one line,
+/// and indentation is halved.
 Listing parseListing(std::string_view source);
 
 struct Listings {

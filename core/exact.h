@@ -34,6 +34,7 @@ class Visibility {
     std::vector<VisibleArc> arcs(const ShadedPoint& at) const;
 
     const SegmentIndex& index() const { return *index_; }
+    const std::vector<Vec2>& corners() const { return corners_; }
 
  private:
     const SegmentIndex* index_;

@@ -13,9 +13,10 @@ namespace {
 // origin on the front side for sure, and no more than 13 epsilon m from the wall.
 constexpr double kShiftRoundings = 8.0;
 
-// A point is kept this many shifts away from the segment's ends: then the shifted origin lies inside every
-// corner of more than 1/64 rad (0.9 degrees) between two walls, where the other wall blocks it as it should.
-constexpr double kEndShifts = 64.0;
+// A point is kept this many shifts away from the segment's ends. The shifted origin is at most 13/8 shifts
+// off its wall, so it lies inside every corner of more than 13/8/128 rad (0.73 degrees) between two walls,
+// and the other wall blocks as it should.
+constexpr double kEndShifts = 128.0;
 
 double sideOf(Vec2 point, const Ray& ray) {
     return cross(ray.direction, point - ray.origin);
@@ -48,32 +49,54 @@ SegmentIndex::SegmentIndex(const Scene& scene) : scene_(&scene) {
     }
 }
 
+std::optional<SegmentIndex::Crossing> SegmentIndex::cross(const Edge& edge, const Ray& ray) {
+    const double sideP = sideOf(edge.p, ray), sideQ = sideOf(edge.q, ray);
+    if ((sideP >= 0.0) == (sideQ >= 0.0)) return std::nullopt;
+    // The signs differ, so the difference is not 0; it equals cross(direction, q - p) and cannot disagree
+    // with them.
+    const double t = halfdisk::cross(edge.p - ray.origin, edge.q - edge.p) / (sideQ - sideP);
+    if (!(t > 0.0)) return std::nullopt;
+    // For a ray that comes from the front of a->b, b lies on its left: the positive side.
+    return Crossing{t, sideP / (sideP - sideQ), (sideQ > sideP) != edge.flipped};
+}
+
+// Two walls that lie on each other are met at the same t but for rounding: each may be off its line by its
+// shift.
+double SegmentIndex::tieWidth(const Edge& edge, const Ray& ray, double shifts) const {
+    return (edge.originShift + shifts) / std::abs(glm::dot(edge.normal, ray.direction));
+}
+
 Hit SegmentIndex::closestHit(const Ray& ray) const {
     Hit closest;
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
         const Edge& edge = edges_[i];
-        const double sideP = sideOf(edge.p, ray), sideQ = sideOf(edge.q, ray);
-        if ((sideP >= 0.0) == (sideQ >= 0.0) || i == ray.skip) continue;
-        // The signs differ, so the difference is not 0; it equals cross(direction, q - p) and cannot disagree
-        // with them.
-        const double t = cross(edge.p - ray.origin, edge.q - edge.p) / (sideQ - sideP);
-        if (!(t > 0.0) || t > closest.t) continue;
-        // For a ray that comes from the front of a->b, b lies on its left: the positive side.
-        const bool front = (sideQ > sideP) != edge.flipped;
-        if (t == closest.t && (closest.front || !front)) continue;
-        const double u = sideP / (sideP - sideQ);
-        closest = {i, t, edge.flipped ? 1.0 - u : u, front};
+        const auto crossing = cross(edge, ray);
+        if (!crossing || i == ray.skip) continue;
+        if (closest) {
+            const double tie = tieWidth(edge, ray, edges_[closest.segment].originShift);
+            const bool together = std::abs(crossing->t - closest.t) <= tie;
+            const bool facesBetter = crossing->front && !closest.front;
+            if (together ? !facesBetter : crossing->t > closest.t) continue;
+        }
+        closest = {i, crossing->t, edge.flipped ? 1.0 - crossing->u : crossing->u, crossing->front};
     }
     return closest;
 }
 
-bool SegmentIndex::occluded(const Ray& ray, double tMax, std::uint32_t except) const {
+bool SegmentIndex::occluded(const Ray& ray, double tMax, std::uint32_t lamp) const {
+    const double shifts = (lamp == kNoSegment ? 0.0 : edges_[lamp].originShift) +
+                          (ray.skip == kNoSegment ? 0.0 : edges_[ray.skip].originShift);
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-        const Edge& edge = edges_[i];
-        const double sideP = sideOf(edge.p, ray), sideQ = sideOf(edge.q, ray);
-        if ((sideP >= 0.0) == (sideQ >= 0.0) || i == ray.skip || i == except) continue;
-        const double t = cross(edge.p - ray.origin, edge.q - edge.p) / (sideQ - sideP);
-        if (t > 0.0 && t < tMax) return true;
+        const auto crossing = cross(edges_[i], ray);
+        if (!crossing || i == ray.skip || i == lamp) continue;
+        if (std::isfinite(tMax)) {
+            const double tie = tieWidth(edges_[i], ray, shifts);
+            if (crossing->t > tMax + tie) continue;
+            const bool lightIsOnIt = crossing->t >= tMax - tie;
+            const bool hides = lamp == kNoSegment ? !crossing->front : crossing->front && i < lamp;
+            if (lightIsOnIt && !hides) continue;
+        }
+        return true;
     }
     return false;
 }

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "scene.h"
@@ -40,11 +41,15 @@ class SegmentIndex {
     /// exist.
     explicit SegmentIndex(const Scene& scene);
 
-    /// First wall at t > 0. Of coincident walls the one that faces the ray is met, then the lower index.
+    /// First wall at t > 0. Of walls that lie on each other there (within rounding) the one that faces the
+    /// ray is met, then the lower index.
     Hit closestHit(const Ray& ray) const;
 
-    /// Whether any wall but ray.skip and `except` lies at 0 < t < tMax.
-    bool occluded(const Ray& ray, double tMax, std::uint32_t except = kNoSegment) const;
+    /// Whether something stands between the ray's origin and a light at t = tMax: on the emitting segment
+    /// `lamp`, or a point if that is kNoSegment. A wall that the light lies on does not hide it, unless it is
+    /// met in the lamp's place (see closestHit) or, for a point, from its back. The origin may be shifted off
+    /// ray.skip by its originShift.
+    bool occluded(const Ray& ray, double tMax, std::uint32_t lamp = kNoSegment) const;
 
     const Scene& scene() const { return *scene_; }
     const Rgb& environment() const { return scene_->environment; }
@@ -69,6 +74,13 @@ class SegmentIndex {
         double originShift;  // m
         bool flipped;        // p is b
     };
+
+    struct Crossing {
+        double t, u;  // u from p to q
+        bool front;
+    };
+    static std::optional<Crossing> cross(const Edge& edge, const Ray& ray);
+    double tieWidth(const Edge& edge, const Ray& ray, double shifts) const;
 
     const Scene* scene_;
     std::vector<Edge> edges_;

@@ -1,21 +1,34 @@
 #include "reference.h"
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "quadrature.h"
 
 namespace halfdisk {
 namespace {
 
-// Panels along a wall, finer towards its ends, where light from an adjoining wall bends most.
+// Panels along a stretch of wall, finer towards its ends, where light from an adjoining wall bends most.
 constexpr std::array kPanelEnds{0.0, 0.02, 0.1, 0.3, 0.7, 0.9, 0.98, 1.0};
-constexpr std::size_t kPanels = kPanelEnds.size() - 1;
-constexpr std::size_t kNodes = kPanels * kGauss8.size();
 
-double nodePosition(std::size_t k) {
-    const std::size_t panel = k / kGauss8.size();
-    const double half = (kPanelEnds[panel + 1] - kPanelEnds[panel]) / 2;
-    return kPanelEnds[panel] + half * (1.0 + kGauss8[k % kGauss8.size()].x);
+/// Where other walls end on this one or cross it: light may jump there. Parameters, ascending, from 0 to 1.
+std::vector<double> stretchesOf(const Segment& wall, const std::vector<Vec2>& corners) {
+    constexpr double kOnWall = 1e-9;  // of the wall's length
+    const Vec2 edge = wall.b - wall.a;
+    const double squared = glm::dot(edge, edge);
+    std::vector<double> cuts{0.0, 1.0};
+    for (const Vec2& corner : corners) {
+        const double u = glm::dot(corner - wall.a, edge) / squared;
+        const bool onLine = std::abs(cross(corner - wall.a, edge)) <= kOnWall * squared;
+        if (onLine && u > kOnWall && u < 1.0 - kOnWall) cuts.push_back(u);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    std::vector<double> stretches;
+    for (const double cut : cuts)
+        if (stretches.empty() || cut - stretches.back() > kOnWall) stretches.push_back(cut);
+    stretches.back() = 1.0;
+    return stretches;
 }
 
 /// Lagrange interpolation of the values at a panel's nodes; x in -1 ... 1.
@@ -39,16 +52,21 @@ Reference::Reference(const SegmentIndex& index, unsigned maxDepth, const std::at
         throw std::invalid_argument("too many walls for a reference");
     for (std::uint32_t i = 0; i < segments.size(); ++i) {
         firstSide_.push_back(static_cast<std::uint32_t>(sides_.size()));
-        sides_.push_back({i, true});
-        if (segments[i].twoSided) sides_.push_back({i, false});
+        addSide(i, true);
+        if (segments[i].twoSided) addSide(i, false);
     }
     for (unsigned scatterings = 1; scatterings < maxDepth; ++scatterings) {
         std::vector<Rgb> values;
-        values.reserve(sides_.size() * kNodes);
-        for (std::size_t side = 0; side < sides_.size(); ++side) {
-            for (std::size_t k = 0; k < kNodes; ++k) {
-                if (cancelled && cancelled->load(std::memory_order_relaxed)) return;
-                values.push_back(arrivingAfter(scatterings, node(side, k)));
+        values.reserve(nodeCount_);
+        for (const Side& side : sides_) {
+            for (std::size_t panel = 0; panel + 1 < side.panelEnds.size(); ++panel) {
+                const double from = side.panelEnds[panel], to = side.panelEnds[panel + 1];
+                for (const GaussPoint& point : kGauss8) {
+                    if (cancelled && cancelled->load(std::memory_order_relaxed)) return;
+                    const double u = from + (to - from) * (1.0 + point.x) / 2;
+                    const Hit hit{side.segment, 0.0, u, side.front};
+                    values.push_back(arrivingAfter(scatterings, shadedPointAt(visibility_.index(), hit)));
+                }
             }
         }
         bounces_.push_back(std::move(values));
@@ -56,9 +74,14 @@ Reference::Reference(const SegmentIndex& index, unsigned maxDepth, const std::at
     ready_ = true;
 }
 
-ShadedPoint Reference::node(std::size_t side, std::size_t k) const {
-    const double u = nodePosition(k);
-    return shadedPointAt(visibility_.index(), Hit{sides_[side].segment, 0.0, u, sides_[side].front});
+void Reference::addSide(std::uint32_t segment, bool front) {
+    Side side{segment, front, {0.0}, nodeCount_};
+    const auto stretches = stretchesOf(visibility_.index().scene().segments[segment], visibility_.corners());
+    for (std::size_t i = 0; i + 1 < stretches.size(); ++i)
+        for (const double end : kPanelEnds)
+            if (end > 0.0) side.panelEnds.push_back(stretches[i] + (stretches[i + 1] - stretches[i]) * end);
+    nodeCount_ += (side.panelEnds.size() - 1) * kGauss8.size();
+    sides_.push_back(std::move(side));
 }
 
 Rgb Reference::irradiance(const ShadedPoint& at, unsigned depth) const {
@@ -100,12 +123,12 @@ Rgb Reference::arrivingAfter(unsigned scatterings, const ShadedPoint& at) const 
 }
 
 Rgb Reference::irradianceAt(unsigned scatterings, const Hit& hit) const {
-    const std::size_t side = firstSide_[hit.segment] + (hit.front ? 0u : 1u);
-    std::size_t panel = 0;
-    while (panel + 1 < kPanels && hit.u > kPanelEnds[panel + 1]) ++panel;
-    const double half = (kPanelEnds[panel + 1] - kPanelEnds[panel]) / 2;
-    const double x = (hit.u - kPanelEnds[panel]) / half - 1.0;
-    return interpolate(&bounces_[scatterings - 1][side * kNodes + panel * kGauss8.size()], x);
+    const Side& side = sides_[firstSide_[hit.segment] + (hit.front ? 0u : 1u)];
+    const auto& ends = side.panelEnds;
+    const auto above = std::upper_bound(ends.begin() + 1, ends.end() - 1, hit.u);
+    const auto panel = static_cast<std::size_t>(above - ends.begin()) - 1;
+    const double half = (ends[panel + 1] - ends[panel]) / 2, x = (hit.u - ends[panel]) / half - 1.0;
+    return interpolate(&bounces_[scatterings - 1][side.firstNode + panel * kGauss8.size()], x);
 }
 
 }  // namespace halfdisk

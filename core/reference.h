@@ -15,9 +15,8 @@ namespace halfdisk {
 /// 1e-8 at depth 1, below 1e-3 beyond, where kinks are interpolated.
 class Reference {
  public:
-    static constexpr std::size_t kMostWalls = 200;  ///< at depth 0 and 1
-    static constexpr std::size_t kMostWallsDeep =
-        40;  ///< beyond, where the work is done at 56 points of every wall
+    static constexpr std::size_t kMostWalls = 200;     ///< at depth 0 and 1
+    static constexpr std::size_t kMostWallsDeep = 40;  ///< beyond, where every wall has 56 points or more
 
     /// Prepares depths 0 ... maxDepth. The work grows with maxDepth, and with the cube of the walls;
     /// `cancelled` (may be null) ends it early, leaving ready() false. Throws std::invalid_argument above
@@ -37,18 +36,21 @@ class Reference {
  private:
     Rgb arrivingAfter(unsigned scatterings, const ShadedPoint& at) const;
     Rgb irradianceAt(unsigned scatterings, const Hit& hit) const;
-    ShadedPoint node(std::size_t side, std::size_t k) const;
 
+    /// A lit side of a wall; a two-sided wall has two.
     struct Side {
         std::uint32_t segment;
         bool front;
+        std::vector<double> panelEnds;  // ascending, 0 ... 1; cut where other walls stand on this one
+        std::size_t firstNode;
     };
+    void addSide(std::uint32_t segment, bool front);
 
     Visibility visibility_;
-    std::vector<Side> sides_;               // lit sides; a two-sided wall has two
+    std::vector<Side> sides_;
     std::vector<std::uint32_t> firstSide_;  // of each segment
-    std::vector<std::vector<Rgb>>
-        bounces_;  // [k - 1][side * nodes + node]: E of light scattered exactly k times
+    std::size_t nodeCount_ = 0;
+    std::vector<std::vector<Rgb>> bounces_;  // [k - 1][node]: E of light scattered exactly k times
     bool ready_ = false;
 };
 

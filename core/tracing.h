@@ -99,9 +99,10 @@ inline Rgb emittedTo(const SegmentIndex& index, const Ray& ray, const Hit& hit, 
 }
 
 /// The other share: of a point drawn on an emitter that is seen at `cosine` = N.L. A delta light cannot be
-/// met by chance.
+/// met by chance. What brings nothing anyway (below the horizon, or edge-on) keeps weight 1.
 inline double weightOf(const LightSample& light, const Settings& settings, double cosine) {
     if (light.segment == kNoSegment || settings.emitters == Emitters::sample) return 1.0;
+    if (cosine <= 0.0 || light.pdfAngle == 0.0) return 1.0;
     return light.pdfAngle / (light.pdfAngle + pdfHalfDisk(settings.sampler, cosine));
 }
 

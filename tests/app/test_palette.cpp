@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "app/theme.h"
 
@@ -60,7 +62,7 @@ double difference(ImU32 a, ImU32 b, const Matrix& eye) {
 constexpr double kLeastDifference = 18.0;
 
 struct Pair {
-    const char* what;
+    std::string what;
     ImU32 a, b;
 };
 
@@ -106,10 +108,12 @@ TEST_CASE("what stands beside each other can be told apart, whatever the eye") {
                           {"exact and point (the curves of the integrand)", p.exact, p.point},
                           {"point and dark ray", p.point, p.rayDark},
                           {"sample and half-disk", p.sample, p.halfDisk}};
+    const std::pair<std::string, Matrix> eyes[] = {
+        {"normal", kNormal}, {"protanopia", kProtanopia}, {"deuteranopia", kDeuteranopia}};
     for (const Pair& pair : pairs)
-        for (const Matrix& eye : {kNormal, kProtanopia, kDeuteranopia}) {
+        for (const auto& [kind, eye] : eyes) {
             CAPTURE(pair.what);
-            CAPTURE(&eye - &kNormal);
+            CAPTURE(kind);
             CHECK(difference(pair.a, pair.b, eye) >= kLeastDifference);
         }
 }

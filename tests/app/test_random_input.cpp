@@ -141,7 +141,7 @@ void act(Dice& dice, Rig& rig, const std::vector<std::filesystem::path>& files) 
             if (dice.once(40)) apply(rig.session.state, SetUiScale{dice.between(0.2f, 5.0f)});
             break;
         default:
-            apply(rig.session.state, randomCommand(dice, rig.state(), files));
+            halfdisk::apply(rig.session.state, randomCommand(dice, rig.state(), files));
     }
 }
 

@@ -7,6 +7,7 @@
 #include "lessons/lesson_file.h"
 #include "lessons/lesson_list.h"
 #include "lessons/scene_expansion.h"
+#include "lessons/scene_file.h"
 #include "timing.h"
 #include "unobserved_cast_ray.h"
 

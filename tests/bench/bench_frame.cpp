@@ -1,6 +1,9 @@
 // How much CPU time does a frame take while P is dragged along the walls?
 #include <fmt/format.h>
 
+#include <chrono>
+#include <thread>
+
 #include "app/commands.h"
 #include "app/frame.h"
 #include "app/headless_host.h"
@@ -20,8 +23,8 @@ WallPoint along(const Scene& scene, double fraction) {
 }
 
 /// ms of each frame. The answer to each place is shown in later frames, as it comes, while the next is asked
-/// for.
-std::vector<double> dragAlong(const LessonEntry& entry, int frames) {
+/// for. `paced`: 60 frames a second, as on a screen, so that the light has as long as it has there.
+std::vector<double> dragAlong(const LessonEntry& entry, int frames, bool paced) {
     const auto host = HeadlessHost::withoutGl(1280, 800);
     Session session;
     session.state = openLesson(entry.path.parent_path(), LessonRef{entry.slug, 1});
@@ -34,6 +37,8 @@ std::vector<double> dragAlong(const LessonEntry& entry, int frames) {
     askLight(session);
     session.light.waitUntilIdle();
     constexpr int kWarmUp = 5;
+    constexpr std::chrono::microseconds kFrame{16'667};
+    auto next = std::chrono::steady_clock::now();
     std::vector<double> milliseconds;
     for (int i = -kWarmUp; i < frames; ++i) {
         const double fraction = (i + kWarmUp + 0.5) / (frames + kWarmUp);
@@ -41,6 +46,8 @@ std::vector<double> dragAlong(const LessonEntry& entry, int frames) {
         const double start = threadSeconds();
         host->frameWithoutDrawing(draw);
         if (i >= 0) milliseconds.push_back(1e3 * (threadSeconds() - start));
+        next += kFrame;
+        if (paced) std::this_thread::sleep_until(next);
     }
     return milliseconds;
 }
@@ -56,7 +63,7 @@ void benchFrame(Effort effort) {
     const auto folder = std::filesystem::path(HALFDISK_ROOT) / "lessons";
     for (const LessonEntry& entry : listLessons(folder)) {
         if (!entry.error.empty()) throw InputError(entry.error);
-        const std::vector<double> times = dragAlong(entry, frames);
+        const std::vector<double> times = dragAlong(entry, frames, effort == Effort::full);
         fmt::print("  {:<24} {:>7.2f} ms {:>7.2f} ms {:>7.2f} ms\n", entry.slug, quantile(times, 0.5),
                    quantile(times, 0.95), quantile(times, 1.0));
     }

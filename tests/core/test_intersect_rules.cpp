@@ -100,8 +100,10 @@ TEST_CASE("intersect: occluded agrees with closestHit at any distance") {
         REQUIRE(index.occluded(ray, tMax) == (hit && hit.t < tMax));
         if (!hit) continue;
         ++blocked;
-        REQUIRE_FALSE(index.occluded(ray, hit.t));
-        REQUIRE(index.occluded(ray, std::nextafter(hit.t, kInfinity)));
+        // A light on the wall itself is hidden from the wall's back only.
+        REQUIRE(index.occluded(ray, hit.t) == !hit.front);
+        REQUIRE(index.occluded(ray, hit.t * (1.0 + 1e-9)));
+        REQUIRE_FALSE(index.occluded(ray, hit.t * (1.0 - 1e-9)));
         // Without the wall in front, what blocks is what the ray meets behind it.
         Ray behind = ray;
         if (ray.skip != kNoSegment) continue;
@@ -122,7 +124,7 @@ TEST_CASE("intersect: points on a wall stay clear of its ends and on its line") 
         const SegmentIndex index(scene);
         for (const double u : {0.0, 1e-17, 0.3, 1.0 - 0x1p-53, 1.0}) {
             const Vec2 p = index.pointOn(0, u);
-            REQUIRE(glm::length(p - (a + u * (b - a))) <= 100.0 * index.originShift(0));
+            REQUIRE(glm::length(p - (a + u * (b - a))) <= 130.0 * index.originShift(0));
             REQUIRE(std::abs(glm::dot(p - a, index.normal(0))) <= index.originShift(0));
             REQUIRE(glm::dot(p - a, b - a) > 0.0);
             REQUIRE(glm::dot(p - b, a - b) > 0.0);

@@ -67,12 +67,15 @@ void drawGrid(const Canvas& canvas) {
     while (step * canvas.camera.pixelsPerMeter > canvas.px(400)) step /= 10.0;
     const Vec2 low = toWorld(canvas.camera, canvas.rect, {canvas.rect.min.x, canvas.rect.max.y});
     const Vec2 high = toWorld(canvas.camera, canvas.rect, {canvas.rect.max.x, canvas.rect.min.y});
-    for (double x = std::ceil(low.x / step) * step; x <= high.x; x += step) {
-        const float p = canvas.screen({x, 0.0}).x;
+    // Counted, not summed up: far from the origin a step may be less than rounding.
+    const Vec2 first = glm::ceil(low / step), last = glm::floor(high / step);
+    const Vec2 lines = glm::min(last - first + 1.0, Vec2(1000.0));
+    for (int i = 0; i < static_cast<int>(lines.x); ++i) {
+        const float p = canvas.screen({(first.x + i) * step, 0.0}).x;
         canvas.list.AddLine({p, canvas.rect.min.y}, {p, canvas.rect.max.y}, canvas.ui.palette.grid, 1.0f);
     }
-    for (double y = std::ceil(low.y / step) * step; y <= high.y; y += step) {
-        const float p = canvas.screen({0.0, y}).y;
+    for (int i = 0; i < static_cast<int>(lines.y); ++i) {
+        const float p = canvas.screen({0.0, (first.y + i) * step}).y;
         canvas.list.AddLine({canvas.rect.min.x, p}, {canvas.rect.max.x, p}, canvas.ui.palette.grid, 1.0f);
     }
     const std::string words = fmt::format("grid: {:g} m", step);

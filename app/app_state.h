@@ -46,15 +46,15 @@ struct AppState {
 
     // the screen
     Camera camera;
-    bool fitCamera = true;  ///< at the next frame
+    bool fitCamera = true;  ///< keep the whole scene in sight; until the reader pans or zooms
     Grip grip = Grip::none;
     Pane pane = Pane::lesson;
     bool canvasHidden = false;  ///< on a low screen: the code or plot takes the canvas' place
     bool answerShown = false;
     bool helpShown = false;
     float uiScale = 1.0f;
-    std::string banner;       ///< a message about something that went wrong; the last good state stays
-    std::size_t litLine = 0;  ///< line of the code panel that it last scrolled to, plus one
+    std::string banner;  ///< a message about something that went wrong; the last good state stays
+    int litLine = 0;     ///< of the code panel: the line of the listing that it last scrolled to; 0: none yet
 
     // the light
     std::uint64_t questionId = 0;  ///< grows whenever scene, P or settings change

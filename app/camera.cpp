@@ -8,16 +8,38 @@ namespace {
 // ImGui's coordinates are floats; what lies further out than this is off the screen anyway.
 constexpr double kFarPixels = 1e6;
 
-float pixel(double x) {
-    return static_cast<float>(std::clamp(x, -kFarPixels, kFarPixels));
+/// Cuts the parameters [from, to] of the points p + s d to those with p + s d <= most.
+void cut(double p, double d, double most, double& from, double& to) {
+    const double s = (most - p) / d;
+    if (d > 0.0)
+        to = std::min(to, s);
+    else if (d < 0.0)
+        from = std::max(from, s);
+    else if (p > most)
+        to = -1.0;
 }
 
 }  // namespace
 
 ImVec2 toScreen(const Camera& camera, const CanvasRect& canvas, Vec2 world) {
     const ImVec2 middle = canvas.center();
-    const Vec2 offset = (world - camera.center) * camera.pixelsPerMeter;
-    return {pixel(middle.x + offset.x), pixel(middle.y - offset.y)};
+    Vec2 offset = (world - camera.center) * camera.pixelsPerMeter;
+    const double far = std::max(std::abs(offset.x), std::abs(offset.y));
+    if (far > kFarPixels) offset *= kFarPixels / far;
+    return {static_cast<float>(middle.x + offset.x), static_cast<float>(middle.y - offset.y)};
+}
+
+std::optional<std::pair<ImVec2, ImVec2>> clipped(const Camera& camera, const CanvasRect& canvas, Vec2 a,
+                                                 Vec2 b) {
+    const Vec2 reach = 3.0 * Vec2(canvas.width(), canvas.height()) / camera.pixelsPerMeter;
+    const Vec2 p = a - camera.center, d = b - a;
+    double from = 0.0, to = 1.0;  // Liang and Barsky (1984)
+    cut(p.x, d.x, reach.x, from, to);
+    cut(-p.x, -d.x, reach.x, from, to);
+    cut(p.y, d.y, reach.y, from, to);
+    cut(-p.y, -d.y, reach.y, from, to);
+    if (!(from <= to)) return std::nullopt;
+    return std::pair{toScreen(camera, canvas, a + from * d), toScreen(camera, canvas, a + to * d)};
 }
 
 Vec2 toWorld(const Camera& camera, const CanvasRect& canvas, ImVec2 screen) {

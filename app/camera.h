@@ -3,6 +3,9 @@
 
 #include <imgui.h>
 
+#include <optional>
+#include <utility>
+
 #include "app/prepared_scene.h"
 
 namespace halfdisk {
@@ -24,8 +27,15 @@ struct CanvasRect {
     bool contains(ImVec2 p) const { return p.x >= min.x && p.x < max.x && p.y >= min.y && p.y < max.y; }
 };
 
+/// Far points are drawn nearer on the same line from the canvas' middle: use `clipped` for what reaches that
+/// far.
 ImVec2 toScreen(const Camera& camera, const CanvasRect& canvas, Vec2 world);
 Vec2 toWorld(const Camera& camera, const CanvasRect& canvas, ImVec2 screen);
+
+/// The part of the line a-b (m) that lies within three canvas sizes of the canvas, on the screen. In double:
+/// also right if both ends are light years away.
+std::optional<std::pair<ImVec2, ImVec2>> clipped(const Camera& camera, const CanvasRect& canvas, Vec2 a,
+                                                 Vec2 b);
 
 /// The camera that shows all of `bounds` with a margin (pixels).
 Camera fitted(const Bounds& bounds, const CanvasRect& canvas, float margin);

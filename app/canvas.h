@@ -15,6 +15,8 @@ struct Canvas {
     ImDrawList& list;
 
     ImVec2 screen(Vec2 world) const { return toScreen(camera, rect, world); }
+    /// A line between two points of the plane, however far they are.
+    void line(Vec2 a, Vec2 b, ImU32 color, float thickness) const;
     float px(float design) const { return design * ui.scale; }
     /// Where a ray from `from` along `direction` is clearly off the canvas.
     Vec2 farAlong(Vec2 from, Vec2 direction) const;

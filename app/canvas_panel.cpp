@@ -91,7 +91,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     if (state.fitCamera) {
         camera = fitted(state.scene->bounds, inner, std::min(14 * ui.scale, 0.05f * available.y));
         camera.center.y += (inner.center().y - rect.center().y) / camera.pixelsPerMeter;
-        ui.commands.push_back(SetCamera{camera});
+        if (!(camera == state.camera)) ui.commands.push_back(SetCamera{camera, true});
     }
     const Canvas canvas{ui, rect, camera, *ImGui::GetWindowDrawList()};
 

@@ -56,8 +56,7 @@ void drawRay(const Canvas& canvas, const Event& arrival, double top, float opaci
     const float bright = std::sqrt(share);
     const ImU32 color =
         withOpacity(mixed(palette.rayDark, palette.rayBright, bright), opacity * (0.55f + 0.45f * bright));
-    canvas.list.AddLine(canvas.screen(arrival.from), canvas.screen(endOf(canvas, arrival)), color,
-                        canvas.px(thickness * (1.0f + 1.5f * bright)));
+    canvas.line(arrival.from, endOf(canvas, arrival), color, canvas.px(thickness * (1.0f + 1.5f * bright)));
 }
 
 ImVec2 onArc(const Canvas& canvas, Vec2 P, Vec2 direction) {
@@ -100,8 +99,8 @@ void drawSamples(const Canvas& canvas) {
             (event.visible || event.segment == kNoSegment)) {
             const ImU32 color =
                 event.visible ? canvas.ui.palette.shadowRayClear : canvas.ui.palette.shadowRayBlocked;
-            canvas.list.AddLine(canvas.screen(event.from), canvas.screen(endOf(canvas, event)),
-                                withOpacity(color, many ? 0.25f : 0.7f), canvas.px(1.2f));
+            canvas.line(event.from, endOf(canvas, event), withOpacity(color, many ? 0.25f : 0.7f),
+                        canvas.px(1.2f));
         }
     }
     if (!state.shows(View::halfdisk) || !state.shows(View::rays)) return;
@@ -142,8 +141,7 @@ void drawCurrentStep(const Canvas& canvas) {
     for (std::uint32_t call = event->call; record.calls[call].parent != kNoCall;
          call = record.calls[call].parent) {
         const Call& here = record.calls[call];
-        canvas.list.AddLine(canvas.screen(record.calls[here.parent].at.P), canvas.screen(here.at.P),
-                            palette.accent, canvas.px(3));
+        canvas.line(record.calls[here.parent].at.P, here.at.P, palette.accent, canvas.px(3));
     }
     const Call& call = record.calls[event->call];
     if (event->depth > 0) {
@@ -171,7 +169,7 @@ void drawCurrentStep(const Canvas& canvas) {
         case EventKind::accumulate: {
             const Vec2 end =
                 event->missed && event->kind == EventKind::accumulate ? event->to : endOf(canvas, *event);
-            canvas.list.AddLine(canvas.screen(event->from), canvas.screen(end), palette.point, canvas.px(3));
+            canvas.line(event->from, end, palette.point, canvas.px(3));
             if (!event->missed) canvas.list.AddCircleFilled(canvas.screen(end), canvas.px(5), palette.point);
             break;
         }

@@ -56,6 +56,11 @@ void drawArrow(const Canvas& canvas, ImVec2 from, ImVec2 to, ImU32 color) {
 
 }  // namespace
 
+void Canvas::line(Vec2 a, Vec2 b, ImU32 color, float thickness) const {
+    if (const auto part = clipped(camera, rect, a, b))
+        list.AddLine(part->first, part->second, color, thickness);
+}
+
 Vec2 Canvas::farAlong(Vec2 from, Vec2 direction) const {
     const double diagonal = std::hypot(rect.width(), rect.height()) / camera.pixelsPerMeter;
     return from + direction * (2.0 * diagonal + glm::length(from - camera.center));
@@ -89,18 +94,21 @@ void drawWalls(const Canvas& canvas) {
     const Palette& palette = canvas.ui.palette;
     const bool hatch = scene.segments.size() <= kMostHatchedWalls;
     for (const Segment& s : scene.segments) {
-        const ImVec2 a = canvas.screen(s.a), b = canvas.screen(s.b);
-        if (hatch && !s.twoSided) hatchBack(canvas, a, b);
+        const auto part = clipped(canvas.camera, canvas.rect, s.a, s.b);
+        if (part && hatch && !s.twoSided) hatchBack(canvas, part->first, part->second);
     }
     for (const Segment& s : scene.segments) {
-        const ImVec2 a = canvas.screen(s.a), b = canvas.screen(s.b);
+        const auto part = clipped(canvas.camera, canvas.rect, s.a, s.b);
+        if (!part) continue;
+        const auto [a, b] = *part;
         canvas.list.AddLine(a, b, palette.wallFront, canvas.px(3));
-        const ImVec2 front{canvas.px(3) * static_cast<float>(frontNormal(s).x),
-                           -canvas.px(3) * static_cast<float>(frontNormal(s).y)};
-        if (!isEmitter(s) && gray(std::get<Diffuse>(scene.materials[s.material]).albedo) < 0.02) continue;
         const Rgb albedo = std::get<Diffuse>(scene.materials[s.material]).albedo;
-        const ImU32 face = isEmitter(s) ? palette.light : packed(albedo);
-        canvas.list.AddLine({a.x + front.x, a.y + front.y}, {b.x + front.x, b.y + front.y}, face,
+        if (!isEmitter(s) && gray(albedo) < 0.02) continue;
+        const Vec2 normal = frontNormal(s);
+        const ImVec2 front{canvas.px(3) * static_cast<float>(normal.x),
+                           -canvas.px(3) * static_cast<float>(normal.y)};
+        canvas.list.AddLine({a.x + front.x, a.y + front.y}, {b.x + front.x, b.y + front.y},
+                            isEmitter(s) ? palette.light : packed(albedo),
                             canvas.px(isEmitter(s) ? 5.0f : 3.0f));
     }
 }

@@ -76,9 +76,10 @@ std::vector<std::string> piecesOf(const std::string& text, std::size_t most) {
     const std::size_t indent = std::min(text.find_first_not_of(' '), most / 2);
     while (rest.size() > most) {
         const std::size_t space = rest.rfind(' ', most);
-        if (space == std::string::npos || space <= indent + 4) break;
-        pieces.push_back(rest.substr(0, space));
-        rest = std::string(indent + 4, ' ') + rest.substr(space + 1);
+        const bool breakable = space != std::string::npos && rest.find_first_not_of(' ') < space;
+        const std::size_t end = breakable ? space : most;
+        pieces.push_back(rest.substr(0, end));
+        rest = std::string(std::min(indent + 4, most / 2), ' ') + rest.substr(breakable ? end + 1 : end);
     }
     pieces.push_back(rest);
     return pieces;
@@ -88,7 +89,7 @@ void codeLine(const Ui& ui, const ListingLine& line, bool lit, bool marked) {
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImFont* font = ui.fonts.code;
     const float width = ImGui::GetContentRegionAvail().x, letter = textSize("0", font).x, gutter = 4 * letter;
-    const auto most = static_cast<std::size_t>(std::max(20.0f, (width - gutter) / letter));
+    const auto most = static_cast<std::size_t>(std::max(8.0f, (width - gutter) / letter));
     const std::vector<std::string> pieces = piecesOf(line.text, most);
     const float row = font->FontSize + 2 * ui.scale, height = row * static_cast<float>(pieces.size());
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -113,6 +114,14 @@ void codeLine(const Ui& ui, const ListingLine& line, bool lit, bool marked) {
                  Align::left, font);
 }
 
+/// Once, when the line becomes the current one: after that the reader may scroll away.
+void scrollHere() {
+    const float top = ImGui::GetCursorPosY(), page = ImGui::GetWindowHeight(), scroll = ImGui::GetScrollY();
+    const float margin = 3 * ImGui::GetFontSize();
+    if (top < scroll + margin || top > scroll + page - 2 * margin)
+        ImGui::SetScrollY(std::max(0.0f, top - page / 3));
+}
+
 }  // namespace
 
 void codePanel(const Ui& ui, ImVec2 size) {
@@ -128,19 +137,15 @@ void codePanel(const Ui& ui, ImVec2 size) {
 
     beginChild("source", {0, 0}, true);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    bool firstMarked = true;
+    int wanted = lit;  // the line to keep in sight: the current one, else the step's first marked one
+    for (const ListingLine& line : listing)
+        if (wanted == 0 && isMarked(state, line.number)) wanted = line.number;
     for (const ListingLine& line : listing) {
-        const bool isLit = lit > 0 && line.number == lit;
-        const bool marked = isMarked(state, line.number);
-        if (isLit || (!event && marked && firstMarked)) {
-            firstMarked = false;
-            const float top = ImGui::GetCursorPosY(), page = ImGui::GetWindowHeight();
-            const float scroll = ImGui::GetScrollY();
-            const float margin = 3 * ImGui::GetFontSize();
-            if (top < scroll + margin || top > scroll + page - 2 * margin)
-                ImGui::SetScrollY(std::max(0.0f, top - page / 3));
+        if (line.number == wanted && wanted > 0 && wanted != state.litLine) {
+            scrollHere();
+            ui.commands.push_back(ScrolledTo{wanted});
         }
-        codeLine(ui, line, isLit, marked);
+        codeLine(ui, line, line.number == lit && lit > 0, isMarked(state, line.number));
     }
     ImGui::PopStyleVar();
     ImGui::EndChild();

@@ -20,6 +20,7 @@ void enterStep(AppState& state, std::size_t step) {
     state.step = step;
     state.show = entered.show;
     state.answerShown = false;
+    state.litLine = 0;
     state.grip = Grip::none;
     if (state.sceneOverride.empty()) {
         state.at = entered.values.at;
@@ -32,10 +33,10 @@ void enterStep(AppState& state, std::size_t step) {
     state.playback = {stepping, entered.values.event, false, 0.0f};
 }
 
-void showScene(AppState& state, SceneDescription description) {
+void showScene(AppState& state, SceneDescription description, const std::filesystem::path& file) {
     auto prepared = std::make_shared<const PreparedScene>(std::move(description));
     if (prepared->scene.segments.empty())
-        throw InputError("the scene has no walls to stand on, expected at least one");
+        throw InputError(file.string(), "the scene has no walls to stand on, expected at least one");
     state.scene = std::move(prepared);
     state.fitCamera = true;
 }
@@ -43,7 +44,7 @@ void showScene(AppState& state, SceneDescription description) {
 void showLesson(AppState& state, Lesson lesson, std::size_t step) {
     const bool sameScene =
         state.scene && state.sceneOverride.empty() && state.scene->description == lesson.scene;
-    if (!sameScene && state.sceneOverride.empty()) showScene(state, lesson.scene);
+    if (!sameScene && state.sceneOverride.empty()) showScene(state, lesson.scene, lesson.scenePath);
     state.lesson = std::move(lesson);
     enterStep(state, std::min(step, state.lesson->steps.size() - 1));
 }
@@ -56,7 +57,7 @@ void goTo(AppState& state, const LessonRef& ref) {
 }
 
 void showSceneAlone(AppState& state, const std::filesystem::path& file) {
-    showScene(state, loadScene(file));
+    showScene(state, loadScene(file), file);
     state.lesson.reset();
     state.step = 0;
     state.sceneOverride = file;
@@ -79,7 +80,7 @@ void reload(AppState& state) {
     state.lessons = listLessons(state.lessonsFolder);
     if (!state.sceneOverride.empty()) {
         const WallPoint at = state.at;
-        showScene(state, loadScene(state.sceneOverride));
+        showScene(state, loadScene(state.sceneOverride), state.sceneOverride);
         state.at = at.segment < state.scene->scene.segments.size() ? at : WallPoint{0, 0.5};
         askAnew(state);
     }
@@ -94,7 +95,7 @@ void stepEvents(AppState& state, int by) {
         playback.stepping = true;
         playback.event = by > 0 ? 0 : count;
     }
-    const auto moved = static_cast<std::ptrdiff_t>(playback.event) + by;
+    const auto moved = static_cast<std::ptrdiff_t>(std::min(playback.event, count)) + by;
     playback.event =
         static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(moved, 0, static_cast<std::ptrdiff_t>(count)));
 }
@@ -165,8 +166,12 @@ void applyUnchecked(AppState& state, const Command& command) {
                            playback.event = 0;
                        playback.stepping = true;
                    },
-                   [&](const SetCamera& c) { state.camera = c.camera; },
+                   [&](const SetCamera& c) {
+                       state.camera = c.camera;
+                       state.fitCamera = c.fitted;
+                   },
                    [&](FitCamera) { state.fitCamera = true; },
+                   [&](ScrolledTo c) { state.litLine = c.line; },
                    [&](SetGrip c) { state.grip = c.grip; },
                    [&](SetUiScale c) { state.uiScale = std::clamp(c.scale, 0.5f, 4.0f); },
                    [&](SetView c) { state.show.set(c.view, c.on); },
@@ -196,7 +201,7 @@ AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optio
     state.lessonsFolder = lessonsFolder;
     state.lessons = listLessons(lessonsFolder);
     if (!scene.empty()) {
-        showScene(state, loadScene(scene));
+        showScene(state, loadScene(scene), scene);
         state.sceneOverride = scene;
     }
     if (ref) {

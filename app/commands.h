@@ -44,8 +44,12 @@ struct ShowWholeRun {};
 struct TogglePlay {};
 struct SetCamera {
     Camera camera;
+    bool fitted = false;  ///< the panel's own, to keep all in sight; else the reader's
 };
 struct FitCamera {};
+struct ScrolledTo {
+    int line;  ///< of the published listing
+};
 struct SetGrip {
     Grip grip;
 };
@@ -71,8 +75,8 @@ struct DismissBanner {};
 
 using Command = std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload,
                              SetSettings, MovePoint, SetEvent, StepEvents, JumpToLine, ShowWholeRun,
-                             TogglePlay, SetCamera, FitCamera, SetGrip, SetUiScale, SetView, ShowPane,
-                             HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
+                             TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView,
+                             ShowPane, HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.

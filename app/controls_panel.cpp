@@ -90,7 +90,7 @@ void controlsPanel(const Ui& ui) {
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - labels);
     whileUnlocked(ui, Control::samples, [&] {
         dragNumber<std::uint32_t>(ui.widgets, "N", settings.samples,
-                                  {1, kMostLessonSamples, 1.0f, "%u", true});
+                                  {1, kMostLessonSamples, 5.0f, "%u", true});
         tooltip(kSamplesInfo.meaning);
     });
     whileUnlocked(ui, Control::depth, [&] {

@@ -164,7 +164,6 @@ void frame(Session& session, const Fonts& fonts, float uiScale) {
     if (state.helpShown) helpOverlay(ui);
     keyboard(ui);
 
-    state.fitCamera = false;
     for (const Command& command : commands) apply(state, command);
     askLight(session);
 }

@@ -85,7 +85,7 @@ Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, c
     plot.y = y;
     const float titleHeight = drawText(ui, origin, palette.ink, title, Align::left, ui.fonts.strong).y;
     const float top = origin.y + titleHeight + line + 2 * gap,
-                bottom = origin.y + size.y - 2 * line - 2 * gap;
+                bottom = origin.y + size.y - 2.4f * line - 2 * gap;
     const int rows = std::max(2, static_cast<int>((bottom - top) / (2.2f * line)));
     const std::vector<Tick> yTicks = ticksOf(y, rows);
     float widest = 0.0f;
@@ -106,11 +106,11 @@ Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, c
         const float half = textSize(tick.label).x / 2;
         if (p.x - half < lastRight + gap || p.x + half > origin.x + size.x) continue;
         lastRight = p.x + half;
-        drawText(ui, {p.x, plot.area.max.y + gap / 2}, palette.inkSoft, tick.label, Align::middle);
+        drawText(ui, {p.x, plot.area.max.y + 0.55f * line}, palette.inkSoft, tick.label, Align::middle);
     }
     addRect(list, plot.area.min, plot.area.max, palette.inkSoft, 0.0f, 1.0f);
-    drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, plot.area.max.y + gap + line}, palette.inkSoft,
-             x.label, Align::middle);
+    drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, plot.area.max.y + gap + 1.4f * line},
+             palette.inkSoft, x.label, Align::middle);
     return plot;
 }
 

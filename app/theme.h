@@ -25,7 +25,7 @@ struct Palette {
     ImU32 rayBright = IM_COL32(0xd9, 0x8c, 0x00, 255);         ///< a ray that brings much light
     ImU32 rayDark = IM_COL32(0x8b, 0x93, 0xa3, 255);           ///< a ray that brings none
     ImU32 shadowRayClear = IM_COL32(0x00, 0x9e, 0x73, 255);    ///< reaches the light
-    ImU32 shadowRayBlocked = IM_COL32(0xa8, 0x46, 0x7c, 255);  ///< hits a wall first (reddish purple)
+    ImU32 shadowRayBlocked = IM_COL32(0x7d, 0x22, 0x60, 255);  ///< hits a wall first (dark purple)
     ImU32 currentLine = IM_COL32(0xff, 0xec, 0x9e, 255);       ///< behind the line of code that runs
     ImU32 error = IM_COL32(0xb0, 0x2a, 0x1a, 255);             ///< messages of failure
     ImU32 exact = IM_COL32(0x00, 0x66, 0x9e, 255);             ///< values known exactly

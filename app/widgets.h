@@ -95,7 +95,7 @@ bool inputText(WidgetRegistry& registry, const char* label, std::string& value);
 template <class Number>
 struct DragRange {
     Number least, most;
-    float speed = 1.0f;            ///< change per pixel; ignored where logarithmic
+    float speed = 1.0f;  ///< change per pixel; where logarithmic, of the whole range as if it were linear
     const char* format = nullptr;  ///< as for printf; null: ImGui's for the type
     bool logarithmic = false;
 };

@@ -55,9 +55,14 @@ Vec2 Rig::world(ImVec2 point) {
     return toWorld(state().camera, canvas(), point);
 }
 
-void Rig::scrollTo(std::string_view name, std::string_view within) {
+void Rig::scrollTo(std::string_view name, std::string_view beside) {
     constexpr int kMostNotches = 60;
-    driver.moveTo(within);
+    for (const Widget& widget : session.widgets.widgets) {
+        if (widget.name.rfind(beside, 0) != 0 || widget.target.height() < 0.9f * widget.rect.height())
+            continue;
+        driver.moveTo(widget.target.centerX(), widget.target.centerY());
+        break;
+    }
     for (const float up : {-1.0f, 1.0f}) {
         for (int notch = 0; notch < kMostNotches; ++notch) {
             const Widget widget = driver.get(name);

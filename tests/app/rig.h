@@ -41,8 +41,9 @@ struct Rig {
     ImVec2 screen(Vec2 world);  ///< where the canvas shows it
     Vec2 world(ImVec2 screen);  ///< what the canvas shows there
 
-    /// Turns the wheel over `within` until `name` can be clicked. Throws if it never can.
-    void scrollTo(std::string_view name, std::string_view within);
+    /// Turns the wheel until `name` can be clicked, over a widget that is in sight and whose name starts with
+    /// `beside`. Throws if it never can.
+    void scrollTo(std::string_view name, std::string_view beside);
 };
 
 /// A copy of the test lessons that a test may change; removed at the end.

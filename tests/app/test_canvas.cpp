@@ -1,5 +1,6 @@
 // Can one take hold of P, look around and zoom, and does the picture stay where it belongs?
 #include <doctest/doctest.h>
+#include <sys/resource.h>
 
 #include <cmath>
 
@@ -23,6 +24,15 @@ double pixel(const Rig& rig) {
 void checkNear(Vec2 a, Vec2 b, double tolerance) {
     CHECK(std::abs(a.x - b.x) <= tolerance);
     CHECK(std::abs(a.y - b.y) <= tolerance);
+}
+
+/// A grid without end would take all memory of the machine before CTest's time is up.
+void limitMemory() {
+#ifndef __SANITIZE_ADDRESS__  // which itself reserves far more than it uses
+    constexpr rlim_t kMost = rlim_t{4} << 30;
+    const rlimit limit{kMost, kMost};
+    setrlimit(RLIMIT_AS, &limit);
+#endif
 }
 
 void checkAllInSight(Rig& rig) {
@@ -99,7 +109,7 @@ TEST_CASE("P is let go with the button, and a press elsewhere does not take it")
 
 TEST_CASE("the wheel zooms about the point under the cursor") {
     Rig rig("controls:1");
-    const ImVec2 cursor = rig.screen({0.4, 1.3});
+    const ImVec2 there = rig.screen({0.4, 1.3}), cursor{std::floor(there.x), std::floor(there.y)};
     rig.driver.moveTo(cursor.x, cursor.y);
     const Vec2 under = rig.world(cursor);
     double before = rig.state().camera.pixelsPerMeter;
@@ -116,11 +126,11 @@ TEST_CASE("dragging the canvas pans, and Fit brings all back") {
     Rig rig("controls:1");
     const Camera fitted = rig.state().camera;
     checkAllInSight(rig);
-    const ImVec2 from = rig.screen({1.0, 1.0});
+    const ImVec2 there = rig.screen({1.0, 1.0}), from{std::floor(there.x), std::floor(there.y)};
     const Vec2 held = rig.world(from);
     rig.driver.moveTo(from.x, from.y);
     rig.driver.press();
-    for (const float part : {0.25f, 0.5f, 1.0f}) rig.driver.moveTo(from.x + 60 * part, from.y - 35 * part);
+    for (const float part : {0.2f, 0.6f, 1.0f}) rig.driver.moveTo(from.x + 60 * part, from.y - 35 * part);
     rig.driver.release();
     rig.driver.frames();
     checkNear(rig.world({from.x + 60, from.y - 35}), held, 1e-9);
@@ -172,6 +182,7 @@ TEST_CASE("the grid is switched") {
 }
 
 TEST_CASE("far away and at any magnification the grid ends and the camera stays finite") {
+    limitMemory();
     Rig rig("controls:1");
     rig.apply(SetView{View::grid, true});
     for (const double distance : {0.0, 1e3, 1e9, 1e15})

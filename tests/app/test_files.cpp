@@ -56,7 +56,7 @@ TEST_CASE("broken files that are dropped show a banner and change nothing") {
     std::ofstream(files.folder / "zero.toml")
         << "title = \"Zero\"\n[[segment]]\nname = \"s\"\na = [1.0, 1.0]\nb = "
            "[1.0, 1.0]\nmaterial = \"none\"\n";
-    for (const char* name :
+    for (const std::string name :
          {"garbage.toml", "empty.toml", "zero.toml", "03-broken.toml", "missing.toml", "scenes"}) {
         CAPTURE(name);
         rig.apply(OpenFile{files.folder / name});

@@ -111,9 +111,9 @@ TEST_CASE("what stands beside each other can be told apart, whatever the eye") {
     const std::pair<std::string, Matrix> eyes[] = {
         {"normal", kNormal}, {"protanopia", kProtanopia}, {"deuteranopia", kDeuteranopia}};
     for (const Pair& pair : pairs)
-        for (const auto& [kind, eye] : eyes) {
+        for (const auto& eye : eyes) {
             CAPTURE(pair.what);
-            CAPTURE(kind);
-            CHECK(difference(pair.a, pair.b, eye) >= kLeastDifference);
+            CAPTURE(eye.first);
+            CHECK(difference(pair.a, pair.b, eye.second) >= kLeastDifference);
         }
 }

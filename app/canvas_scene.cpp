@@ -85,7 +85,7 @@ void drawGrid(const Canvas& canvas) {
     }
     const std::string words = fmt::format("grid: {:g} m", step);
     drawText(canvas.ui,
-             {canvas.rect.max.x - canvas.px(6), canvas.rect.max.y - ImGui::GetFontSize() - canvas.px(4)},
+             {canvas.rect.max.x - canvas.px(6), canvas.rect.max.y - 2 * ImGui::GetFontSize() - canvas.px(14)},
              canvas.ui.palette.inkSoft, words, Align::right);
 }
 

@@ -116,7 +116,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     const ImVec2 p = canvas.screen(P);
     const ImVec2 below{p.x - canvas.px(20) * static_cast<float>(N.x),
                        p.y + canvas.px(20) * static_cast<float>(N.y)};
-    drawText(ui, {below.x, below.y - ImGui::GetFontSize() / 2}, ui.palette.point, "P", Align::middle,
+    drawText(ui, {below.x, below.y - ImGui::GetFontSize() / 2}, ui.palette.estimate, "P", Align::middle,
              ui.fonts.strong);
     drawRayLegend(canvas);
     canvas.list.PopClipRect();

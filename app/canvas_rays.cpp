@@ -11,19 +11,26 @@
 namespace halfdisk {
 namespace {
 
-constexpr std::size_t kMostTreeRays = 3000;
-
 struct RecordView {
     const Record* record = nullptr;
+    const RecordSummary* summary = nullptr;
     std::size_t end = 0;  // events shown
 };
 
 RecordView shownRecord(const AppState& state) {
     if (!state.answer || !state.answer->record) return {};
     const Record& record = *state.answer->record;
-    const std::size_t end =
-        state.playback.stepping ? std::min(state.playback.event, record.events.size()) : record.events.size();
-    return {&record, end};
+    const std::size_t count = record.events.size();
+    return {&record, &state.answer->summary,
+            state.playback.stepping ? std::min(state.playback.event, count) : count};
+}
+
+/// Calls `draw` with the events at `indices` (ascending) that are shown.
+void forShown(const RecordView& view, const std::vector<std::uint32_t>& indices, const auto& draw) {
+    for (const std::uint32_t i : indices) {
+        if (i >= view.end) return;
+        draw(view.record->events[i]);
+    }
 }
 
 ImU32 mixed(ImU32 from, ImU32 to, float t) {
@@ -34,15 +41,6 @@ ImU32 mixed(ImU32 from, ImU32 to, float t) {
         result |= static_cast<ImU32>(std::lround(a + t * (b - a))) << shift;
     }
     return result;
-}
-
-/// Largest light that any half-disk ray of the record brings: the top of the colour scale.
-double brightest(const Record& record) {
-    double most = 0.0;
-    for (const Event& event : record.events)
-        if (event.kind == EventKind::arrival && std::isfinite(gray(event.value)))
-            most = std::max(most, gray(event.value));
-    return most;
 }
 
 Vec2 endOf(const Canvas& canvas, const Event& event) {
@@ -87,45 +85,34 @@ void drawHalfDisk(const Canvas& canvas, Vec2 P, Vec2 N, float opacity) {
 void drawSamples(const Canvas& canvas) {
     const AppState& state = canvas.ui.state;
     const RecordView view = shownRecord(state);
-    if (!view.record) return;
-    const double top = brightest(*view.record);
+    if (!view.record || !state.shows(View::rays)) return;
+    const Palette& palette = canvas.ui.palette;
     const bool many = state.settings.samples > 256;
-    for (std::size_t i = 0; i < view.end; ++i) {
-        const Event& event = view.record->events[i];
-        if (event.depth != 0) continue;
-        if (event.kind == EventKind::arrival && state.shows(View::rays))
-            drawRay(canvas, event, top, many ? 0.5f : 1.0f, 1.2f);
-        if (event.kind == EventKind::light && state.shows(View::rays) &&
-            (event.visible || event.segment == kNoSegment)) {
-            const ImU32 color =
-                event.visible ? canvas.ui.palette.shadowRayClear : canvas.ui.palette.shadowRayBlocked;
-            canvas.line(event.from, endOf(canvas, event), withOpacity(color, many ? 0.25f : 0.7f),
-                        canvas.px(1.2f));
-        }
-    }
-    if (!state.shows(View::halfdisk) || !state.shows(View::rays)) return;
-    for (std::size_t i = 0; i < view.end; ++i) {
-        const Event& event = view.record->events[i];
-        if (event.depth == 0 && event.kind == EventKind::direction)
+    forShown(view, view.summary->atP, [&](const Event& event) {
+        if (event.kind == EventKind::arrival)
+            drawRay(canvas, event, view.summary->brightest, many ? 0.5f : 1.0f, 1.2f);
+        if (event.kind != EventKind::light || (!event.visible && event.segment != kNoSegment)) return;
+        const ImU32 color = event.visible ? palette.shadowRayClear : palette.shadowRayBlocked;
+        canvas.line(event.from, endOf(canvas, event), withOpacity(color, many ? 0.25f : 0.7f),
+                    canvas.px(1.2f));
+    });
+    if (!state.shows(View::halfdisk)) return;
+    forShown(view, view.summary->atP, [&](const Event& event) {
+        if (event.kind == EventKind::direction)
             canvas.list.AddCircleFilled(onArc(canvas, event.from, event.direction),
-                                        canvas.px(many ? 2.0f : 3.5f), canvas.ui.palette.sample);
-    }
+                                        canvas.px(many ? 2.0f : 3.5f), palette.sample);
+    });
 }
 
 void drawTree(const Canvas& canvas) {
     const RecordView view = shownRecord(canvas.ui.state);
     if (!view.record) return;
-    const double top = brightest(*view.record);
-    std::size_t drawn = 0, all = 0;
-    for (std::size_t i = 0; i < view.end; ++i) {
-        const Event& event = view.record->events[i];
-        if (event.depth == 0 || event.kind != EventKind::arrival) continue;
-        ++all;
-        if (drawn >= kMostTreeRays) continue;
+    std::size_t drawn = 0;
+    forShown(view, view.summary->deeper, [&](const Event& event) {
         ++drawn;
-        drawRay(canvas, event, top, 0.55f / static_cast<float>(event.depth), 0.8f);
-    }
-    if (drawn == all) return;
+        drawRay(canvas, event, view.summary->brightest, 0.55f / static_cast<float>(event.depth), 0.8f);
+    });
+    if (drawn < view.summary->deeper.size() || drawn == view.summary->deeperCount) return;
     drawText(canvas.ui, {canvas.rect.min.x + canvas.px(8), canvas.rect.min.y + canvas.px(44)},
              canvas.ui.palette.inkSoft, "the first " + std::to_string(drawn) + " deeper rays are drawn");
 }
@@ -201,7 +188,7 @@ void drawRayLegend(const Canvas& canvas) {
     const Palette& palette = canvas.ui.palette;
     const float line = ImGui::GetFontSize(), width = canvas.px(90);
     const ImVec2 at{canvas.rect.min.x + canvas.px(10), canvas.rect.max.y - line - canvas.px(6)};
-    const std::string most = shown(brightest(*view.record)) + " W/(m rad)";
+    const std::string most = shown(view.summary->brightest) + " W/(m rad)";
     const float others = width + textSize(most).x + canvas.px(40);
     const bool narrow = textSize("ray brings 0").x + others > canvas.rect.width();
     const std::string_view least = narrow ? "0" : "ray brings 0";

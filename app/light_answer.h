@@ -13,6 +13,14 @@
 
 namespace halfdisk {
 
+/// Where to find in a record what every frame draws: a record may have 100 000 events, a frame 8 ms.
+struct RecordSummary {
+    std::vector<std::uint32_t> atP;     ///< events of depth 0
+    std::vector<std::uint32_t> deeper;  ///< the first arrivals below it, as many as are drawn
+    std::size_t deeperCount = 0;        ///< all of them
+    double brightest = 0.0;  ///< most that a half-disk ray brings, W / (m rad), mean of the channels
+};
+
 /// What is asked: the light at a wall point, by these settings.
 struct LightQuestion {
     std::uint64_t id = 0;  ///< later questions have larger ones
@@ -51,6 +59,7 @@ struct LightAnswer {
 
     // stage 1: one run of N samples, every step recorded
     std::shared_ptr<const Record> record;
+    RecordSummary summary;
     Irradiance estimate;
     Rgb radiance{0.0};                    ///< that P's wall sends out
     std::optional<Irradiance> corrected;  ///< with defects on: the same run without them

@@ -1,6 +1,7 @@
 #include "app/light_job.h"
 
 #include <utility>
+#include <vector>
 
 #include "app/light_stages.h"
 
@@ -50,6 +51,9 @@ void LightJob::publish(const LightAnswer& answer) {
 
 void LightJob::run() {
     ReferenceCache references;
+    // Every record is held here as well, so that its megabytes are given back on this thread, not within a
+    // frame.
+    std::vector<std::shared_ptr<const Record>> records;
     std::unique_lock lock(mutex_);
     while (true) {
         changed_.wait(lock, [this] { return quit_ || waiting_; });
@@ -61,7 +65,9 @@ void LightJob::run() {
         finishingFirstPicture_ = isQuick(answer.asked);
         lock.unlock();
 
+        std::erase_if(records, [](const auto& record) { return record.use_count() == 1; });
         recordRun(answer, cancelled_);
+        if (answer.record) records.push_back(answer.record);
         finishingFirstPicture_ = false;
         if (!cancelled_) publish(answer);
         const auto superseded = [&] {

@@ -12,6 +12,7 @@ constexpr double kRaysForHistogram = 3e6;
 constexpr double kMostSamplesOfErrorPlot = 4096;
 constexpr double kRaysPerErrorPoint = 1.5e6;
 constexpr std::uint64_t kRunsPerErrorPoint = 48;
+constexpr std::size_t kMostTreeRays = 3000;
 
 const PreparedScene& sceneOf(const LightAnswer& answer) {
     return *answer.asked.scene;
@@ -90,6 +91,20 @@ Statistics ownSamples(const Record& record, std::uint32_t N, std::vector<Rgb>& c
     return own;
 }
 
+RecordSummary summaryOf(const Record& record) {
+    RecordSummary summary;
+    for (std::uint32_t i = 0; i < record.events.size(); ++i) {
+        const Event& event = record.events[i];
+        if (event.depth == 0) summary.atP.push_back(i);
+        if (event.kind != EventKind::arrival) continue;
+        if (isFinite(event.value)) summary.brightest = std::max(summary.brightest, gray(event.value));
+        if (event.depth == 0) continue;
+        ++summary.deeperCount;
+        if (summary.deeper.size() < kMostTreeRays) summary.deeper.push_back(i);
+    }
+    return summary;
+}
+
 /// One point of the error plot; nothing if it would take too many rays.
 std::optional<ErrorPoint> measureError(const LightAnswer& answer, std::uint32_t N,
                                        const std::atomic<bool>& cancelled) {
@@ -150,7 +165,7 @@ void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
         answer.rays = rays < 1e18 ? static_cast<std::uint64_t>(rays) : UINT64_MAX;
         return;
     }
-    constexpr std::size_t kEventLimit = 200'000;
+    constexpr std::size_t kEventLimit = 100'000;
     Recorder recorder(kEventLimit, &cancelled);
     answer.estimate = gatherOnce(scene.index, answer.point, asked.settings, 0,
                                  SampleRange::all(asked.settings.samples), recorder, answer.rays);
@@ -170,6 +185,7 @@ void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     answer.nonFinite = own.nonFinite;
     if (asked.settings.sampler != Sampler::stratified && own.count > 1)
         answer.standardError = own.standardError();
+    answer.summary = summaryOf(*record);
     answer.record = std::move(record);
 }
 

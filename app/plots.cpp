@@ -31,8 +31,8 @@ void forPassedEvents(const AppState& state, EventKind kind, const Function& f) {
     const auto& events = state.answer->record->events;
     const std::size_t end =
         state.playback.stepping ? std::min(state.playback.event, events.size()) : events.size();
-    for (std::size_t i = 0; i < end; ++i)
-        if (events[i].depth == 0 && events[i].kind == kind) f(events[i]);
+    for (const std::uint32_t i : state.answer->summary.atP)
+        if (i < end && events[i].kind == kind) f(events[i]);
 }
 
 }  // namespace

@@ -35,10 +35,11 @@ int takeNumber(std::string& text) {
     return number;
 }
 
-/// Whether the statement goes on in the next line of the source.
+/// Whether the statement goes on in the next line of the source. What a trailing comment says does not count.
 bool isUnfinished(const ListingLine& line) {
-    if (line.comment || line.text.empty()) return false;
-    const char last = line.text.back();
+    const std::string_view code = trimmed(std::string_view(line.text).substr(0, line.text.find("//")));
+    if (line.comment || code.empty()) return false;
+    const char last = code.back();
     return last != ';' && last != '{' && last != '}';
 }
 

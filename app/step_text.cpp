@@ -20,6 +20,7 @@ std::string vector(Vec2 v) {
 
 void describeLight(const AppState& state, const Event& event, StepText& text) {
     const bool emitter = event.segment != kNoSegment;
+    if (emitter) text.where += fmt::format(", point {} of {}", event.n + 1, state.settings.samples);
     text.where += emitter ? fmt::format(", light {}", wallName(state, event.segment))
                           : fmt::format(", light {}", event.light + 1);
     text.what =

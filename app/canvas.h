@@ -35,7 +35,7 @@ void drawRayLegend(const Canvas& canvas);
 /// Radius of the half-disk on the screen, pixels.
 float halfDiskRadius(const Canvas& canvas);
 
-/// Point of a wall nearest to `world`.
+/// Point of a wall nearest to `world`; the scene has walls.
 WallPoint nearestWallPoint(const Scene& scene, Vec2 world);
 
 }  // namespace halfdisk

@@ -84,7 +84,9 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const CanvasRect rect{origin, {origin.x + available.x, origin.y + available.y}};
     const float buttons = 44 * ui.scale, legend = std::min(54 * ui.scale, 0.2f * available.y);
-    const float margin = std::min(56 * ui.scale, 0.12f * available.x);
+    // With the frame defect the sampled half-disk reaches out behind the wall: it must be in sight too.
+    const bool mirrored = state.settings.defects.has(Defect::frame);
+    const float margin = std::min((mirrored ? 84 : 56) * ui.scale, (mirrored ? 0.2f : 0.12f) * available.x);
     const CanvasRect inner{{rect.min.x + margin, rect.min.y + buttons},
                            {rect.max.x - margin, rect.max.y - legend}};
     Camera camera = state.camera;

@@ -7,6 +7,7 @@
 #include "app/canvas.h"
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
+#include "core/nearest_wall.h"
 
 namespace halfdisk {
 namespace {
@@ -135,18 +136,8 @@ void drawLights(const Canvas& canvas) {
 }
 
 WallPoint nearestWallPoint(const Scene& scene, Vec2 world) {
-    WallPoint nearest;
-    double least = kInfinity;
-    for (std::uint32_t i = 0; i < scene.segments.size(); ++i) {
-        const Segment& s = scene.segments[i];
-        const Vec2 edge = s.b - s.a;
-        const double t = std::clamp(glm::dot(world - s.a, edge) / glm::dot(edge, edge), 0.0, 1.0);
-        const double distance = glm::length(s.a + t * edge - world);
-        if (distance >= least) continue;
-        least = distance;
-        nearest = {i, t};
-    }
-    return nearest;
+    const NearestWall nearest = nearestWall(scene, world);
+    return {nearest.segment, nearest.t};
 }
 
 }  // namespace halfdisk

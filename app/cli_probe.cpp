@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/cli_arguments.h"
+#include "core/nearest_wall.h"
 #include "lessons/wall_point.h"
 
 namespace halfdisk {
@@ -17,22 +18,6 @@ constexpr std::string_view kPlaceForm = "X,Y or NAME:T";
 
 unsigned threadsOfMachine() {
     return std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(kThreadsInfo.most));
-}
-
-struct NearestWall {
-    std::uint32_t segment = kNoSegment;
-    double distance = kInfinity;
-};
-
-NearestWall nearestWall(const Scene& scene, Vec2 P) {
-    NearestWall nearest;
-    for (std::uint32_t i = 0; i < scene.segments.size(); ++i) {
-        const Vec2 a = scene.segments[i].a, edge = scene.segments[i].b - a;
-        const double t = std::clamp(glm::dot(P - a, edge) / glm::dot(edge, edge), 0.0, 1.0);
-        const double distance = glm::length(a + t * edge - P);
-        if (distance < nearest.distance) nearest = {i, distance};
-    }
-    return nearest;
 }
 
 [[noreturn]] void failNoWall(const Scene& scene, const std::string& at, Vec2 P) {

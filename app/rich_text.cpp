@@ -15,6 +15,9 @@ struct Word {
     bool spaceBefore;
 };
 
+// Code is not broken at its spaces, unless it is longer than a narrow column.
+constexpr std::size_t kMostOfWholeCode = 24;
+
 std::vector<Word> wordsOf(const Paragraph& paragraph) {
     std::vector<Word> words;
     bool space = false;
@@ -25,7 +28,8 @@ std::vector<Word> wordsOf(const Paragraph& paragraph) {
             if (begin != 0) space = true;
             if (begin == std::string_view::npos) break;
             rest.remove_prefix(begin);
-            const std::size_t end = std::min(rest.find(' '), rest.size());
+            const bool whole = span.style == SpanStyle::code && rest.size() <= kMostOfWholeCode;
+            const std::size_t end = whole ? rest.size() : std::min(rest.find(' '), rest.size());
             words.push_back({rest.substr(0, end), &span, space && !words.empty()});
             rest.remove_prefix(end);
             space = false;

@@ -2,6 +2,8 @@
 // complete.
 #include <fmt/format.h>
 
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "app/cli_actions.h"
@@ -37,7 +39,11 @@ int runScreenshot(const ScreenshotRequest& request) {
 }
 
 int runTour(const TourRequest& request) {
-    std::filesystem::create_directories(request.outputFolder);
+    std::error_code failed;
+    std::filesystem::create_directories(request.outputFolder, failed);
+    if (failed)
+        throw std::runtime_error(fmt::format("{}: the folder cannot be made: {}",
+                                             request.outputFolder.string(), failed.message()));
     const PictureSize size;
     bool broken = false;
     for (const LessonEntry& entry : listLessons(request.lessonsFolder)) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "nearest_wall.h"
 #include "parallel.h"
 
 namespace halfdisk {
@@ -90,24 +91,30 @@ Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& s
     return estimate;
 }
 
-/// Wall within 1e-9 of the scene's extent of P, and the parameter of the point on it that is nearest to P.
-std::optional<std::pair<std::uint32_t, double>> wallAt(const SegmentIndex& index, Vec2 P) {
+/// How near a point must be to a wall to be on it: 1e-9 of the largest coordinate around.
+double onWallDistance(const Scene& scene, Vec2 P) {
     double extent = std::max(std::abs(P.x), std::abs(P.y));
-    double nearest = kInfinity;
-    std::pair<std::uint32_t, double> found;
-    const auto& segments = index.scene().segments;
-    for (std::uint32_t i = 0; i < segments.size(); ++i) {
-        const Segment& s = segments[i];
+    for (const Segment& s : scene.segments)
         extent = std::max({extent, std::abs(s.a.x), std::abs(s.a.y), std::abs(s.b.x), std::abs(s.b.y)});
-        const Vec2 edge = s.b - s.a;
-        const double t = std::clamp(glm::dot(P - s.a, edge) / glm::dot(edge, edge), 0.0, 1.0);
-        const double distance = glm::length(s.a + t * edge - P);
-        if (distance >= nearest) continue;
-        nearest = distance;
-        found = {i, t};
+    return 1e-9 * extent;
+}
+
+bool sameDirection(Vec2 u, Vec2 v) {
+    return glm::length(u - v) < 1e-9;
+}
+
+/// The wall that P is on; where several meet, one that stands across `normal` if there is one.
+NearestWall wallAt(const SegmentIndex& index, Vec2 P, std::optional<Vec2> normal) {
+    const Scene& scene = index.scene();
+    const double within = onWallDistance(scene, P);
+    const NearestWall nearest = nearestWall(scene, P);
+    if (nearest.distance > within) return {};
+    for (std::uint32_t i = 0; normal && i < scene.segments.size(); ++i) {
+        if (!sameDirection(*normal, index.normal(i)) && !sameDirection(*normal, -index.normal(i))) continue;
+        const NearestWall candidate = nearestOn(scene, i, P);
+        if (candidate.distance <= within) return candidate;
     }
-    if (nearest <= 1e-9 * extent) return found;
-    return std::nullopt;
+    return nearest;
 }
 
 Rgb albedoOf(const SegmentIndex& index, std::uint32_t segment) {
@@ -143,21 +150,19 @@ double raysPerRepeat(const SegmentIndex& index, const Settings& settings) {
 }
 
 std::optional<ShadedPoint> shadedPointAt(const SegmentIndex& index, Vec2 P, std::optional<Vec2> normal) {
-    const auto wall = wallAt(index, P);
-    if (!normal && !wall) return std::nullopt;
-    if (!wall) return ShadedPoint{P, glm::normalize(*normal)};
+    if (normal) normal = glm::normalize(*normal);
+    const NearestWall wall = wallAt(index, P, normal);
+    const bool onWall = wall.segment != kNoSegment;
+    if (!normal && !onWall) return std::nullopt;
+    if (!onWall) return ShadedPoint{P, *normal};
 
-    const ShadedPoint onWall = shadedPointOn(index, wall->first, wall->second);
-    if (!normal) return onWall;
-    const Vec2 N = glm::normalize(*normal);
-    constexpr double kSameDirection = 1e-9;
-    if (glm::length(N - onWall.N) < kSameDirection) return onWall;
-    if (glm::length(N + onWall.N) < kSameDirection)
-        return ShadedPoint{onWall.P, -onWall.N, onWall.segment, onWall.albedo};
+    const ShadedPoint front = shadedPointOn(index, wall.segment, wall.t);
+    if (!normal || sameDirection(*normal, front.N)) return front;
+    if (sameDirection(*normal, -front.N)) return ShadedPoint{front.P, -front.N, front.segment, front.albedo};
     // A tilted half-disk reaches below the wall: stand clearly on its side and let the wall block what is
     // below.
-    const double side = glm::dot(N, onWall.N) < 0.0 ? -1.0 : 1.0;
-    return ShadedPoint{onWall.P + onWall.N * (side * index.originShift(wall->first)), N};
+    const double side = glm::dot(*normal, front.N) < 0.0 ? -1.0 : 1.0;
+    return ShadedPoint{front.P + front.N * (side * index.originShift(wall.segment)), *normal};
 }
 
 ShadedPoint shadedPointOn(const SegmentIndex& index, std::uint32_t segment, double t) {

@@ -56,7 +56,7 @@ struct Scene {
 
 /// Unit normal on the front side of `s`: left of a->b.
 inline Vec2 frontNormal(const Segment& s) {
-    return glm::normalize(perp(s.b - s.a));
+    return perp(s.b - s.a) / glm::length(s.b - s.a);
 }
 
 inline bool isEmitter(const Segment& s) {

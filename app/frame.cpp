@@ -140,6 +140,11 @@ void advance(AppState& state) {
         playback.playing = false;
 }
 
+/// An answer about another scene has walls that this one lacks.
+void dropForeignAnswer(AppState& state) {
+    if (state.answer && state.answer->asked.scene != state.scene) state.answer.reset();
+}
+
 }  // namespace
 
 void askLight(Session& session) {
@@ -154,7 +159,7 @@ void frame(Session& session, const Fonts& fonts, float uiScale) {
     session.widgets.beginFrame();
     const auto latest = session.light.latest();
     if (latest && latest->asked.scene == state.scene) state.answer = latest;
-    if (state.answer && state.answer->asked.scene != state.scene) state.answer.reset();
+    dropForeignAnswer(state);
     advance(state);
 
     Commands commands;
@@ -165,6 +170,7 @@ void frame(Session& session, const Fonts& fonts, float uiScale) {
     keyboard(ui);
 
     for (const Command& command : commands) apply(state, command);
+    dropForeignAnswer(state);
     askLight(session);
 }
 

@@ -16,6 +16,7 @@ struct KeyHelp {
 constexpr std::array kKeys{
     KeyHelp{"Page Down, N", "next step of the lesson"},
     KeyHelp{"Page Up, B", "previous step of the lesson"},
+    KeyHelp{"L", "next lesson"},
     KeyHelp{"R", "reset to how the step began"},
     KeyHelp{"\u2192  \u2190", "step forward / back through castRay"},
     KeyHelp{"Shift \u2192  \u2190", "ten steps at once"},
@@ -26,9 +27,13 @@ constexpr std::array kKeys{
     KeyHelp{"[  ]", "move P along its wall, when unlocked"},
     KeyHelp{"D  Shift D", "one scattering more / fewer, when unlocked"},
     KeyHelp{"S", "next seed, when unlocked"},
+    KeyHelp{"M  E", "next sampler / emitters, when unlocked"},
+    KeyHelp{"1 ... 7  0", "switch one defect / all of them, when unlocked"},
     KeyHelp{"A", "show the answer to the question"},
     KeyHelp{"U", "unlock all controls, or lock them again"},
     KeyHelp{"F", "fit the scene into the canvas"},
+    KeyHelp{"+  -  Ctrl arrows", "magnify, shrink or move the picture"},
+    KeyHelp{"P  C", "on small screens: the next pane / code or canvas"},
     KeyHelp{"G", "grid on / off"},
     KeyHelp{"Ctrl +  Ctrl -", "everything larger / smaller"},
     KeyHelp{"? or F1", "this help"},
@@ -46,6 +51,7 @@ void helpOverlay(const Ui& ui) {
     ImGui::Begin("Keys", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoSavedSettings);
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * ui.scale});
     for (const KeyHelp& key : kKeys) {
         ImGui::PushFont(ui.fonts.strong);
         text(ui.widgets, key.keys);
@@ -53,6 +59,7 @@ void helpOverlay(const Ui& ui) {
         ImGui::SameLine(9.5f * ImGui::GetFontSize());
         text(ui.widgets, key.meaning);
     }
+    ImGui::PopStyleVar();
     if (button(ui.widgets, "Close")) ui.commands.push_back(ToggleHelp{});
     ImGui::End();
 }

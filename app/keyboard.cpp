@@ -1,6 +1,7 @@
 // What does each key do? Everything that the mouse can do to the lesson; the list for the reader is in
 // help_overlay.cpp.
 #include <algorithm>
+#include <array>
 
 #include "app/imgui_compat.h"
 #include "app/panels.h"
@@ -13,6 +14,12 @@ void lessonKeys(const Ui& ui) {
     if (keyPressed(Key::pageUp) || keyPressed(Key::b, false)) ui.commands.push_back(PreviousStep{});
     if (keyPressed(Key::r, false)) ui.commands.push_back(ResetStep{});
     if (keyPressed(Key::a, false)) ui.commands.push_back(RevealAnswer{});
+    if (keyPressed(Key::l, false) && !ui.state.lessons.empty()) {
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < ui.state.lessons.size(); ++i)
+            if (ui.state.lesson && ui.state.lessons[i].slug == ui.state.lesson->slug) next = i + 1;
+        ui.commands.push_back(GoTo{ui.state.lessons[next % ui.state.lessons.size()].slug, 0});
+    }
     if (keyPressed(Key::u, false)) ui.commands.push_back(UnlockAll{!ui.state.unlockAll});
 }
 
@@ -24,6 +31,24 @@ void playbackKeys(const Ui& ui) {
     if (keyPressed(Key::end, false)) ui.commands.push_back(SetEvent{ui.state.eventCount()});
     if (keyPressed(Key::space, false)) ui.commands.push_back(TogglePlay{});
     if (keyPressed(Key::w, false)) ui.commands.push_back(ShowWholeRun{});
+}
+
+/// The entry after `value` in its table, round the end.
+template <class Enum, std::size_t Count>
+Enum nextIn(const std::array<Named<Enum>, Count>& table, Enum value) {
+    for (std::size_t i = 0; i < Count; ++i)
+        if (table[i].value == value) return table[(i + 1) % Count].value;
+    return value;
+}
+
+void defectKeys(Settings& settings) {
+    if (keyPressed(Key::digit0, false))
+        settings.defects = settings.defects == DefectSet::all() ? DefectSet{} : DefectSet::all();
+    for (std::size_t i = 0; i < kDefects.size(); ++i) {
+        const Key key = static_cast<Key>(static_cast<std::size_t>(Key::digit1) + i);
+        if (keyPressed(key, false))
+            settings.defects.set(kDefects[i].value, !settings.defects.has(kDefects[i].value));
+    }
 }
 
 void settingKeys(const Ui& ui) {
@@ -41,6 +66,11 @@ void settingKeys(const Ui& ui) {
             settings.maxDepth = std::min<std::uint32_t>(settings.maxDepth + 1, kMostLessonDepth);
     }
     if (state.isUnlocked(Control::seed) && keyPressed(Key::s)) ++settings.seed;
+    if (state.isUnlocked(Control::sampler) && keyPressed(Key::m, false))
+        settings.sampler = nextIn(kSamplers, settings.sampler);
+    if (state.isUnlocked(Control::emitters) && keyPressed(Key::e, false))
+        settings.emitters = nextIn(kEmitters, settings.emitters);
+    if (state.isUnlocked(Control::defects)) defectKeys(settings);
     if (!(settings == state.settings)) ui.commands.push_back(SetSettings{settings});
     if (state.isUnlocked(Control::point)) {
         constexpr double kStep = 0.01;
@@ -49,6 +79,36 @@ void settingKeys(const Ui& ui) {
         if (by != 0.0)
             ui.commands.push_back(MovePoint{{state.at.segment, std::clamp(state.at.t + by, 0.0, 1.0)}});
     }
+}
+
+/// About the middle of the canvas, within the same limits as by the wheel.
+Camera magnified(const Camera& camera, double factor) {
+    return zoomed(camera, CanvasRect{{0, 0}, {0, 0}}, {0, 0}, factor);
+}
+
+void cameraKeys(const Ui& ui) {
+    const Camera& camera = ui.state.camera;
+    constexpr double kZoom = 1.25;
+    if (keyPressed(Key::equal)) ui.commands.push_back(SetCamera{magnified(camera, kZoom)});
+    if (keyPressed(Key::minus)) ui.commands.push_back(SetCamera{magnified(camera, 1.0 / kZoom)});
+}
+
+/// With Ctrl held.
+void panKeys(const Ui& ui) {
+    const float step = 40 * ui.scale;
+    const float x = (keyPressed(Key::left) ? step : 0.0f) - (keyPressed(Key::right) ? step : 0.0f);
+    const float y = (keyPressed(Key::up) ? step : 0.0f) - (keyPressed(Key::down) ? step : 0.0f);
+    if (x != 0.0f || y != 0.0f) ui.commands.push_back(SetCamera{panned(ui.state.camera, {x, y})});
+}
+
+void paneKeys(const Ui& ui) {
+    if (keyPressed(Key::p, false)) {
+        const Pane pane = ui.state.pane;
+        ui.commands.push_back(ShowPane{pane == Pane::lesson  ? Pane::stage
+                                       : pane == Pane::stage ? Pane::controls
+                                                             : Pane::lesson});
+    }
+    if (keyPressed(Key::c, false)) ui.commands.push_back(HideCanvas{!ui.state.canvasHidden});
 }
 
 void viewKeys(const Ui& ui) {
@@ -70,12 +130,15 @@ void keyboard(const Ui& ui) {
         if (keyPressed(Key::equal)) ui.commands.push_back(SetUiScale{ui.state.uiScale * 1.25f});
         if (keyPressed(Key::minus)) ui.commands.push_back(SetUiScale{ui.state.uiScale / 1.25f});
         if (keyPressed(Key::digit0)) ui.commands.push_back(SetUiScale{1.0f});
+        panKeys(ui);
         return;
     }
     lessonKeys(ui);
     playbackKeys(ui);
     settingKeys(ui);
     viewKeys(ui);
+    cameraKeys(ui);
+    paneKeys(ui);
 }
 
 }  // namespace halfdisk

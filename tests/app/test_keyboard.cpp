@@ -43,6 +43,61 @@ void reset(Rig& rig) {
     CHECK(state(rig).settings == state(rig).currentStep()->values.settings);
 }
 
+void samplerAndEmitters(Rig& rig) {
+    begin(rig, 2);
+    const Settings before = state(rig).settings;
+    rig.driver.pressKey(Key::m);
+    CHECK(state(rig).settings.sampler != before.sampler);
+    rig.driver.pressKey(Key::e);
+    CHECK(state(rig).settings.emitters != before.emitters);
+    for (int i = 0; i < 2; ++i) {
+        rig.driver.pressKey(Key::m);
+        rig.driver.pressKey(Key::e);
+    }
+    CHECK(state(rig).settings == before);
+}
+
+void defects(Rig& rig) {
+    begin(rig, 2);
+    rig.driver.pressKey(Key::digit3);
+    CHECK(state(rig).settings.defects.has(Defect::pdf));
+    rig.driver.pressKey(Key::digit3);
+    rig.driver.pressKey(Key::digit0);
+    CHECK(state(rig).settings.defects == DefectSet::all());
+    rig.driver.pressKey(Key::digit7);
+    CHECK_FALSE(state(rig).settings.defects.has(Defect::offset));
+}
+
+void nextLesson(Rig& rig) {
+    begin(rig, 2);
+    const std::string before = state(rig).lesson->slug;
+    rig.driver.pressKey(Key::l);
+    CHECK(state(rig).lesson->slug != before);
+    CHECK(state(rig).step == 0);
+}
+
+void zoomAndPan(Rig& rig) {
+    begin(rig, 2);
+    const Camera before = state(rig).camera;
+    rig.driver.pressKey(Key::equal);
+    CHECK(state(rig).camera.pixelsPerMeter > before.pixelsPerMeter);
+    CHECK(state(rig).camera.center == before.center);
+    rig.driver.pressKey(Key::minus);
+    CHECK(state(rig).camera.pixelsPerMeter == doctest::Approx(before.pixelsPerMeter));
+    rig.driver.pressKey(Key::ctrl, Key::right);
+    CHECK(state(rig).camera.center.x > before.center.x);
+}
+
+void panes(Rig& rig) {
+    begin(rig, 2);
+    for (const Pane pane : {Pane::stage, Pane::controls, Pane::lesson}) {
+        rig.driver.pressKey(Key::p);
+        CHECK(state(rig).pane == pane);
+    }
+    rig.driver.pressKey(Key::c);
+    CHECK(state(rig).canvasHidden);
+}
+
 void arrows(Rig& rig) {
     begin(rig, 7);
     rig.driver.pressKey(Key::right);
@@ -199,6 +254,11 @@ const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", 
                                                     {"next seed", seed},
                                                     {"show the answer", answer},
                                                     {"unlock all", unlock},
+                                                    {"next sampler", samplerAndEmitters},
+                                                    {"switch one defect", defects},
+                                                    {"next lesson", nextLesson},
+                                                    {"magnify", zoomAndPan},
+                                                    {"next pane", panes},
                                                     {"fit the scene", fit},
                                                     {"grid", grid},
                                                     {"everything larger", size},

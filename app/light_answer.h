@@ -70,11 +70,8 @@ struct LightAnswer {
     // stage 2: what is exactly known
     std::optional<Rgb> exact;  ///< E
     std::vector<IntegrandPoint> integrand;
-    std::optional<ExactEstimate>
-        oneSample;  ///< expectation and variance of one half-disk sample, where predicted
 
     // stage 3: many runs
-    Statistics samples;               ///< of single first-bounce samples
     Statistics runs;                  ///< of whole runs of N
     std::vector<double> histogramOf;  ///< single contributions, mean of the channels, up to a few thousand
     std::vector<ErrorPoint> errors;

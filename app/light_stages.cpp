@@ -52,9 +52,6 @@ void findExact(LightAnswer& answer, ReferenceCache& references, const std::atomi
         const double theta = kPi * (static_cast<double>(i) + 0.5) / kIntegrandPoints;
         answer.integrand.push_back({theta, reference.radiance(answer.point, theta, depth)});
     }
-    if (depth <= 1 && settings.emitters == Emitters::hit && settings.sampler != Sampler::stratified)
-        answer.oneSample =
-            halfDiskEstimate(*scene.visibility, answer.point, settings.sampler, static_cast<int>(depth));
 }
 
 void runMany(LightAnswer& answer, const std::atomic<bool>& cancelled) {
@@ -65,7 +62,6 @@ void runMany(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     options.repeats = static_cast<std::uint64_t>(std::clamp(runs, 1.0, 256.0));
     options.cancelled = &cancelled;
     const Estimate many = estimateIrradiance(sceneOf(answer).index, answer.point, settings, options);
-    answer.samples = many.samples;
     answer.runs = many.repeats;
     answer.histogramOf.clear();
     ContributionObserver observer{{}, &answer.histogramOf, &cancelled};

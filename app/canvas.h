@@ -24,6 +24,7 @@ struct Canvas {
 
 void drawGrid(const Canvas& canvas);
 void drawWalls(const Canvas& canvas);
+void drawEye(const Canvas& canvas);
 void drawLights(const Canvas& canvas);
 void drawHalfDisk(const Canvas& canvas, Vec2 P, Vec2 N, float opacity);
 void drawSamples(const Canvas& canvas);

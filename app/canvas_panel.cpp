@@ -113,6 +113,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     drawSamples(canvas);
     drawWalls(canvas);
     drawLights(canvas);
+    drawEye(canvas);
     drawPoint(canvas, P, N);
     drawCurrentStep(canvas);
     const ImVec2 p = canvas.screen(P);

@@ -91,6 +91,9 @@ void drawSamples(const Canvas& canvas) {
     forShown(view, view.summary->atP, [&](const Event& event) {
         if (event.kind == EventKind::arrival)
             drawRay(canvas, event, view.summary->brightest, many ? 0.5f : 1.0f, 1.2f);
+        if (event.kind == EventKind::meet && event.onward)
+            canvas.line(event.from, endOf(canvas, event), withOpacity(palette.rayDark, many ? 0.25f : 0.7f),
+                        canvas.px(1.2f));
         if (event.kind != EventKind::light || (!event.visible && event.segment != kNoSegment)) return;
         const ImU32 color = event.visible ? palette.shadowRayClear : palette.shadowRayBlocked;
         canvas.line(event.from, endOf(canvas, event), withOpacity(color, many ? 0.25f : 0.7f),

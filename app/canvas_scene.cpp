@@ -8,6 +8,7 @@
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
 #include "core/nearest_wall.h"
+#include "core/overload.h"
 
 namespace halfdisk {
 namespace {
@@ -55,6 +56,32 @@ void drawArrow(const Canvas& canvas, ImVec2 from, ImVec2 to, ImU32 color) {
                                   {neck.x + along.y * head / 2, neck.y - along.x * head / 2}, color);
 }
 
+/// What a wall is made of shows beside its front; a mirror and glass are lines of their own colour.
+void drawWall(const Canvas& canvas, const Segment& s, const Material& material, ImVec2 a, ImVec2 b) {
+    const Palette& palette = canvas.ui.palette;
+    if (std::holds_alternative<Dielectric>(material))
+        return canvas.list.AddLine(a, b, palette.glass, canvas.px(2));
+    const bool mirror = std::holds_alternative<Mirror>(material);
+    canvas.list.AddLine(a, b, mirror ? palette.mirror : palette.wallFront, canvas.px(mirror ? 5.0f : 3.0f));
+    const Rgb colour = std::visit(
+        Overload{[](const Diffuse& wall) { return wall.albedo; },
+                 [](const Glossy& wall) { return wall.albedo; },
+                 [](const Mix& wall) { return wall.diffuse.albedo; }, [](const auto&) { return Rgb(0.0); }},
+        material);
+    if (!isEmitter(s) && gray(colour) < 0.02) return;
+    const Vec2 normal = frontNormal(s);
+    const ImVec2 front{canvas.px(3) * static_cast<float>(normal.x),
+                       -canvas.px(3) * static_cast<float>(normal.y)};
+    const auto beside = [&](float lines, ImU32 ink, float width) {
+        canvas.list.AddLine({a.x + lines * front.x, a.y + lines * front.y},
+                            {b.x + lines * front.x, b.y + lines * front.y}, ink, width);
+    };
+    beside(1.0f, isEmitter(s) ? palette.light : packed(colour), canvas.px(isEmitter(s) ? 5.0f : 3.0f));
+    // A second, silver line: it shines.
+    const bool shines = std::holds_alternative<Glossy>(material) || std::holds_alternative<Mix>(material);
+    if (shines) beside(2.0f, palette.mirror, canvas.px(1.5f));
+}
+
 }  // namespace
 
 void Canvas::line(Vec2 a, Vec2 b, ImU32 color, float thickness) const {
@@ -92,26 +119,33 @@ void drawGrid(const Canvas& canvas) {
 
 void drawWalls(const Canvas& canvas) {
     const Scene& scene = canvas.ui.state.scene->scene;
-    const Palette& palette = canvas.ui.palette;
     const bool hatch = scene.segments.size() <= kMostHatchedWalls;
     for (const Segment& s : scene.segments) {
         const auto part = clipped(canvas.camera, canvas.rect, s.a, s.b);
-        if (part && hatch && !s.twoSided) hatchBack(canvas, part->first, part->second);
+        const bool oneSided = !s.twoSided && !actsOnBothSides(scene.materials[s.material]);
+        if (part && hatch && oneSided) hatchBack(canvas, part->first, part->second);
     }
-    for (const Segment& s : scene.segments) {
-        const auto part = clipped(canvas.camera, canvas.rect, s.a, s.b);
-        if (!part) continue;
-        const auto [a, b] = *part;
-        canvas.list.AddLine(a, b, palette.wallFront, canvas.px(3));
-        const Rgb albedo = std::get<Diffuse>(scene.materials[s.material]).albedo;
-        if (!isEmitter(s) && gray(albedo) < 0.02) continue;
-        const Vec2 normal = frontNormal(s);
-        const ImVec2 front{canvas.px(3) * static_cast<float>(normal.x),
-                           -canvas.px(3) * static_cast<float>(normal.y)};
-        canvas.list.AddLine({a.x + front.x, a.y + front.y}, {b.x + front.x, b.y + front.y},
-                            isEmitter(s) ? palette.light : packed(albedo),
-                            canvas.px(isEmitter(s) ? 5.0f : 3.0f));
-    }
+    for (const Segment& s : scene.segments)
+        if (const auto part = clipped(canvas.camera, canvas.rect, s.a, s.b))
+            drawWall(canvas, s, scene.materials[s.material], part->first, part->second);
+}
+
+void drawEye(const Canvas& canvas) {
+    const auto& eye = canvas.ui.state.scene->scene.eye;
+    if (!eye) return;
+    const Palette& palette = canvas.ui.palette;
+    const ImVec2 at = canvas.screen(eye->position);
+    const float reach = canvas.px(46), middle = std::atan2(-static_cast<float>(eye->direction.y),
+                                                           static_cast<float>(eye->direction.x));
+    const float half = static_cast<float>(eye->fov) / 2;
+    canvas.list.PathLineTo(at);
+    canvas.list.PathArcTo(at, reach, middle - half, middle + half, 24);
+    canvas.list.PathFillConvex(withOpacity(palette.accent, 0.10f));
+    for (const float edge : {middle - half, middle + half})
+        canvas.list.AddLine(at, {at.x + reach * std::cos(edge), at.y + reach * std::sin(edge)},
+                            palette.accent, canvas.px(1.5f));
+    canvas.list.AddCircleFilled(at, canvas.px(6), palette.accent);
+    canvas.list.AddCircleFilled(at, canvas.px(2.5f), palette.panel);
 }
 
 void drawLights(const Canvas& canvas) {

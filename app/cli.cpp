@@ -20,8 +20,10 @@ constexpr const char* kFooter = R"(Examples:
   halfdisk as-printed:3 --scene my-room.toml     a lesson's third step, in a scene of your own
   halfdisk lessons                               which lessons there are
   halfdisk probe room.toml --at floor:0.5        how much light arrives there
+  halfdisk estimators room.toml                  which ways to carry light there are
+  halfdisk eye room.toml -o room.png             what the scene's eye sees
 
-Exit codes: 0 success, 1 failure, 2 bad input.)";
+Exit codes: 0 success, 1 failure, 2 bad input, 130 stopped by Ctrl-C (what was done is written).)";
 
 /// "halfdisk scene check" of the command that was being parsed.
 std::string commandOf(const CLI::App& app) {
@@ -65,6 +67,8 @@ int parseAndRun(int argc, const char* const* argv) {
     addLessonsCommand(app, chosen, lessonsFolder);
     addPictureCommands(app, chosen, lessonsFolder);
     addProbeCommand(app, chosen);
+    addRenderCommands(app, chosen);
+    addEstimatorsCommand(app, chosen);
     addSceneCommand(app, chosen);
 
     refuseEmptyValues(argc, argv);

@@ -1,5 +1,5 @@
 // What does the command line ask for? One subcommand per file: cli_window, cli_lessons, cli_pictures,
-// cli_probe, cli_scene.
+// cli_probe_command, cli_render_command, cli_estimators, cli_scene.
 #pragma once
 
 #include <string_view>

@@ -15,6 +15,7 @@ namespace halfdisk {
 inline constexpr int kExitSuccess = 0;
 inline constexpr int kExitFailure = 1;
 inline constexpr int kExitBadInput = 2;
+inline constexpr int kExitStopped = 130;  ///< by Ctrl-C or SIGTERM; what was done by then is written
 
 /// In pixels. What a picture may be as well as what it is by default.
 struct PictureSize {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <locale>
 #include <sstream>
+#include <thread>
 #include <utility>
 
 #include "lessons/scene_keys.h"
@@ -93,6 +94,11 @@ std::uint64_t wholeArgument(std::string_view option, std::string_view text, cons
     if (!number || *number < info.least || *number > info.most)
         failArgument(option, text, fmt::format("is not a whole number from {} to {}", info.least, info.most));
     return *number;
+}
+
+unsigned threadsArgument(const std::optional<std::string>& text) {
+    if (text) return static_cast<unsigned>(wholeArgument("--threads", *text, kThreadsInfo));
+    return std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(kThreadsInfo.most));
 }
 
 Vec2 pointArgument(std::string_view option, std::string_view text, std::string_view expected) {

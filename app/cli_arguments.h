@@ -34,6 +34,12 @@ double numberArgument(std::string_view option, std::string_view text, double lea
 /// A whole number in the range of `info`.
 std::uint64_t wholeArgument(std::string_view option, std::string_view text, const NumberInfo& info);
 
+inline constexpr NumberInfo kThreadsInfo{"threads", "threads", "threads; the answer does not depend on it",
+                                         1,         256,       1};
+
+/// `--threads`; none: as many as the machine has.
+unsigned threadsArgument(const std::optional<std::string>& text);
+
 /// `X,Y` in metres, each within the range that a scene file allows. `expected` ends the message.
 Vec2 pointArgument(std::string_view option, std::string_view text, std::string_view expected = "X,Y");
 

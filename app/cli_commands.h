@@ -16,6 +16,8 @@ void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
 void addLessonsCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder);
 void addPictureCommands(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder);
 void addProbeCommand(CLI::App& app, Action& chosen);
+void addRenderCommands(CLI::App& app, Action& chosen);  ///< eye, profile, field
+void addEstimatorsCommand(CLI::App& app, Action& chosen);
 void addSceneCommand(CLI::App& app, Action& chosen);
 
 /// `--lessons DIR`, before or after the subcommand.

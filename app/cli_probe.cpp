@@ -1,24 +1,20 @@
+// Where is a probe, and what does castRay answer there?
 #include "app/cli_probe.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "app/cli_arguments.h"
 #include "core/nearest_wall.h"
+#include "core/parallel.h"
 #include "lessons/wall_point.h"
 
 namespace halfdisk {
 namespace {
 
 constexpr std::string_view kPlaceForm = "X,Y or NAME:T";
-
-unsigned threadsOfMachine() {
-    return std::clamp(std::thread::hardware_concurrency(), 1u, static_cast<unsigned>(kThreadsInfo.most));
-}
 
 [[noreturn]] void failNoWall(const Scene& scene, const std::string& at, Vec2 P) {
     const NearestWall nearest = nearestWall(scene, P);
@@ -48,14 +44,24 @@ std::optional<ShadedPoint> frontAsked(const SegmentIndex& index, const std::stri
     return shadedPointOn(index, point.segment, point.t);
 }
 
-void refuseTooManyRays(const SegmentIndex& index, const ProbeQuestion& question) {
-    const double rays = raysPerRepeat(index, question.settings) * static_cast<double>(question.repeats);
-    if (question.anyway || rays <= kMostProbeRays) return;
-    const std::string count = std::isfinite(rays) ? fmt::format("{:.3g}", rays) : "more than 1e300";
-    throw InputError(
-        fmt::format("this would cast up to {} rays, more than 10^10: lower --samples, --depth or --repeat, "
-                    "or add --anyway",
-                    count));
+/// Whether L = Le + albedo / 2 E holds there.
+bool isMatt(const SegmentIndex& index, std::uint32_t segment) {
+    return std::holds_alternative<Diffuse>(index.material(segment)) &&
+           !isSmooth(index.scene().segments[segment]);
+}
+
+/// Each repeat once more by itself: their sum is not kept apart.
+std::vector<Rgb> valuesOfRepeats(const SegmentIndex& index, const ProbeQuestion& question,
+                                 const ShadedPoint& at) {
+    std::vector<Rgb> values(question.repeats);
+    const auto repeat = [&](std::uint64_t r) {
+        const EstimateOptions one{.firstRepeat = r, .repeats = 1};
+        return estimateIrradiance(index, at, question.settings, one).irradiance();
+    };
+    std::uint64_t next = 0;
+    forChunksInOrder(question.repeats, question.threads, nullptr, repeat,
+                     [&](const Rgb& value) { values[next++] = value; });
+    return values;
 }
 
 MeasuredRgb radianceOf(const SegmentIndex& index, const ShadedPoint& at, const MeasuredRgb& irradiance,
@@ -68,28 +74,14 @@ MeasuredRgb radianceOf(const SegmentIndex& index, const ShadedPoint& at, const M
 
 }  // namespace
 
-ProbeQuestion probeQuestion(const ProbeTexts& texts) {
-    ProbeQuestion question;
-    question.estimator = namedArgument("--estimator", texts.estimator, kEstimators);
-    Settings& settings = question.settings;
-    settings.samples =
-        static_cast<std::uint32_t>(wholeArgument("--samples", texts.samples, kProbeSamplesInfo));
-    settings.maxDepth = static_cast<std::uint32_t>(wholeArgument("--depth", texts.depth, kMaxDepthInfo));
-    settings.sampler = namedArgument("--sampler", texts.sampler, kSamplers);
-    settings.emitters = namedArgument("--emitters", texts.emitters, kEmitters);
-    if (texts.asPrinted == "true") {
-        settings.defects = DefectSet::all();
-    } else if (!texts.asPrinted.empty()) {
-        settings.defects = defectsArgument("--as-printed", texts.asPrinted);
-    }
-    settings.seed = wholeArgument("--seed", texts.seed, kSeedInfo);
-    question.repeats = wholeArgument("--repeat", texts.repeats, kRepeatsInfo);
-    question.threads = texts.threads
-                           ? static_cast<unsigned>(wholeArgument("--threads", *texts.threads, kThreadsInfo))
-                           : threadsOfMachine();
-    if (texts.normal) question.normal = directionArgument("--normal", *texts.normal);
-    question.anyway = texts.anyway;
-    return question;
+void refuseTooManyRays(const SegmentIndex& index, const ProbeQuestion& question) {
+    const double rays = raysPerRepeat(index, question.settings) * static_cast<double>(question.repeats);
+    if (question.anyway || rays <= kMostProbeRays) return;
+    const std::string count = std::isfinite(rays) ? fmt::format("{:.3g}", rays) : "more than 1e300";
+    throw InputError(
+        fmt::format("this would cast up to {} rays, more than 10^10: lower --samples, --depth or --repeat, "
+                    "or add --anyway",
+                    count));
 }
 
 ProbePlace probePlace(const SegmentIndex& index, const std::string& at, std::optional<Vec2> normal) {
@@ -101,7 +93,19 @@ ProbePlace probePlace(const SegmentIndex& index, const std::string& at, std::opt
     place.shaded = normal ? *shadedPointAt(index, P, normal) : *front;
     place.at = front ? front->P : P;
     if (front) place.wall = index.scene().segmentNames[front->segment];
-    place.radiance = !normal;
+    place.radiance = !normal && isMatt(index, place.shaded.segment);
+    return place;
+}
+
+ProbePlace lookPlace(const SegmentIndex& index, const std::string& at, Vec2 direction) {
+    ProbePlace place;
+    place.at = positionAsked(index, at);
+    place.shaded = {place.at, direction};
+    if (const std::optional<ShadedPoint> front = frontAsked(index, at, place.at)) {
+        place.at = front->P;
+        place.wall = index.scene().segmentNames[front->segment];
+        place.shaded.P = originOff(index, front->segment, front->P, direction);
+    }
     return place;
 }
 
@@ -120,6 +124,7 @@ ProbeAnswer probe(const SegmentIndex& index, const ProbeQuestion& question, cons
     if (estimate.repeats.count > 1) answer.irradiance.standardError = estimate.repeats.standardError();
     if (place.radiance)
         answer.radiance = radianceOf(index, place.shaded, answer.irradiance, question.settings.defects);
+    if (question.list) answer.values = valuesOfRepeats(index, question, place.shaded);
     if (question.settings.sampler != Sampler::stratified && estimate.samples.count > 1)
         answer.variancePerSample = estimate.samples.variance();
     return answer;

@@ -5,18 +5,16 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/estimate.h"
+#include "core/estimators.h"
 #include "core/settings.h"
 
 namespace halfdisk {
 
-enum class Estimator : std::uint8_t { castRay };
-
-inline constexpr std::array<Named<Estimator>, 1> kEstimators{{
-    {Estimator::castRay, "cast-ray",
-     "the published recursion: direct light, then N samples over the half-disk"},
-}};
+/// What a probe asks if nothing is said: the lesson's own way, with options of its own.
+inline constexpr std::string_view kCastRayId = "cast-ray";
 
 constexpr NumberInfo withInitial(NumberInfo info, std::uint64_t initial) {
     info.initial = initial;
@@ -25,8 +23,8 @@ constexpr NumberInfo withInitial(NumberInfo info, std::uint64_t initial) {
 
 inline constexpr NumberInfo kProbeSamplesInfo = withInitial(kSamplesInfo, 64);
 inline constexpr NumberInfo kRepeatsInfo{"repeat", "R", "independent repeats", 1, 1'000'000'000, 16};
-inline constexpr NumberInfo kThreadsInfo{"threads", "threads", "threads; the answer does not depend on it",
-                                         1,         256,       1};
+/// A list of values longer than this is refused.
+inline constexpr std::uint64_t kMostListed = 10'000;
 
 /// More rays than this are refused unless the user insists: at 10^7 rays a second, a quarter of an hour.
 inline constexpr double kMostProbeRays = 1e10;
@@ -34,27 +32,35 @@ inline constexpr double kMostProbeRays = 1e10;
 /// As typed. probeQuestion makes sense of it.
 struct ProbeTexts {
     std::string scene, at;
-    std::optional<std::string> normal;
-    std::string estimator{kEstimators.front().name};
+    std::optional<std::string> normal, look;
+    std::string estimator{kCastRayId};
+    std::vector<std::string> params;
     std::string samples = std::to_string(kProbeSamplesInfo.initial);
     std::string depth = std::to_string(kMaxDepthInfo.initial);
-    std::string sampler{nameOf(kSamplers, Settings{}.sampler)};
-    std::string emitters{nameOf(kEmitters, Settings{}.emitters)};
-    std::string asPrinted;  ///< empty: none; "true": all
+    std::string specular = std::to_string(kMaxSpecularInfo.initial);
+    std::optional<std::string> sampler, emitters, repeats;  ///< of castRay
+    std::string asPrinted;                                  ///< of castRay; empty: none; "true": all
     std::string seed = std::to_string(kSeedInfo.initial);
-    std::string repeats = std::to_string(kRepeatsInfo.initial);
     std::optional<std::string> threads;  ///< none: as many as the machine has
     bool anyway = false;
     bool json = false;
+    bool list = false;
 };
 
 struct ProbeQuestion {
-    Estimator estimator = Estimator::castRay;
-    Settings settings;
-    std::uint64_t repeats = kRepeatsInfo.initial;
+    const EstimatorInfo* estimator = findEstimator(kCastRayId);
+    Settings settings;  ///< of estimators but castRay: samples is the number of passes
+    std::uint64_t repeats = kRepeatsInfo.initial;  ///< of castRay
+    ParamValues params;                            ///< where the registry's estimator is asked
     unsigned threads = 1;
-    std::optional<Vec2> normal;  ///< unit
+    std::optional<Vec2> normal, look;  ///< unit; at most one of them
     bool anyway = false;
+    bool list = false;
+
+    bool isCastRay() const { return estimator->id == kCastRayId; }
+    /// Not castRay's own estimate of irradiance, but passes of an estimator of the registry.
+    bool isByPasses() const { return !isCastRay() || look; }
+    std::uint64_t passes() const { return isCastRay() ? repeats : settings.samples; }
 };
 
 /// All but the place, which needs the scene. Throws InputError.
@@ -64,11 +70,14 @@ struct ProbePlace {
     ShadedPoint shaded;               ///< what is lit
     Vec2 at{0.0};                     ///< to print: on the wall itself if there is one, m
     std::optional<std::string> wall;  ///< its name
-    bool radiance = false;            ///< the wall's front was asked for: its outgoing radiance is told too
+    bool radiance = false;            ///< a matt wall's front was asked for: its radiance is told too
 };
 
 /// Reads `X,Y` or `NAME:T`. Throws InputError, also where neither a wall nor a normal is.
 ProbePlace probePlace(const SegmentIndex& index, const std::string& at, std::optional<Vec2> normal);
+
+/// A place to look from, anywhere; `shaded.N` is the direction (unit). On a wall: on the side looked to.
+ProbePlace lookPlace(const SegmentIndex& index, const std::string& at, Vec2 direction);
 
 /// A mean and how sure it is; nothing is known of that from a single repeat.
 struct MeasuredRgb {
@@ -85,12 +94,16 @@ struct ProbeAnswer {
     std::optional<Rgb> variancePerSample;  ///< (W / m)^2; none where samples are not independent
     std::optional<Rgb> exact;              ///< of E, where it is known
     double seconds = 0.0;
+    std::vector<Rgb> values;  ///< E of each repeat, if they were asked for
 };
+
+/// Throws InputError for more than kMostProbeRays rays, unless the user insists.
+void refuseTooManyRays(const SegmentIndex& index, const ProbeQuestion& question);
 
 /// Throws InputError for more than kMostProbeRays rays, unless `anyway`.
 ProbeAnswer probe(const SegmentIndex& index, const ProbeQuestion& question, const ProbePlace& place);
 
-/// Exact E (W/m) by quadrature: for scenes of up to 60 walls, depths up to 1, and no defect switched on.
+/// Exact E (W/m) by quadrature: for matt scenes of up to 60 walls, depths up to 1, and no defect switched on.
 std::optional<Rgb> exactIrradiance(const Scene& scene, const Settings& settings, const ShadedPoint& at);
 
 }  // namespace halfdisk

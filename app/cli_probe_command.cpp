@@ -6,31 +6,60 @@
 #include "app/cli_actions.h"
 #include "app/cli_arguments.h"
 #include "app/cli_commands.h"
+#include "app/cli_probe_passes.h"
 #include "app/cli_probe_report.h"
+#include "app/estimator_arguments.h"
 #include "lessons/scene_file.h"
 
 namespace halfdisk {
 namespace {
 
-int runProbe(const ProbeTexts& texts) {
-    const ProbeQuestion question = probeQuestion(texts);
-    const Scene scene = expandScene(loadScene(texts.scene));
-    const SegmentIndex index(scene);
+int answerByPasses(const SegmentIndex& index, const ProbeQuestion& question, const ProbeTexts& texts) {
+    const ProbePlace place = question.look ? lookPlace(index, texts.at, *question.look)
+                                           : probePlace(index, texts.at, question.normal);
+    PassesAnswer answer = probeByPasses(index, question, place);
+    const Measurement& measurement = answer.measurement;
+    if (measurement.film.passes == 0) {
+        writeError("stopped before the first sample was done");
+        return kExitStopped;
+    }
+    if (measurement.interrupted)
+        writeError(fmt::format("stopped after {} of {} samples", measurement.film.passes, question.passes()));
+    if (texts.json) {
+        writeJson(passesJson(answer));
+    } else {
+        if (!question.look) answer.exact = exactIrradiance(index.scene(), question.settings, place.shaded);
+        writeOutput(passesTable(answer));
+    }
+    return measurement.interrupted ? kExitStopped : kExitSuccess;
+}
+
+int answerByCastRay(const SegmentIndex& index, const ProbeQuestion& question, const ProbeTexts& texts) {
     ProbeAnswer answer = probe(index, question, probePlace(index, texts.at, question.normal));
     if (texts.json) {
         writeJson(probeJson(answer));
     } else {
-        answer.exact = exactIrradiance(scene, question.settings, answer.place.shaded);
+        answer.exact = exactIrradiance(index.scene(), question.settings, answer.place.shaded);
         writeOutput(probeTable(answer));
     }
     return kExitSuccess;
 }
 
+int runProbe(const ProbeTexts& texts) {
+    const ProbeQuestion question = probeQuestion(texts);
+    const Scene scene = expandScene(loadScene(texts.scene));
+    const SegmentIndex index(scene);
+    return question.isByPasses() ? answerByPasses(index, question, texts)
+                                 : answerByCastRay(index, question, texts);
+}
+
 std::string helpFooter() {
     return fmt::format(
-        R"(A depth of D gives irradiance of light scattered at most D times before it arrives, and the radiance of a wall at D + 1.
+        R"(A depth of D gives irradiance of light scattered at most D times before it arrives, and the radiance of a wall at D + 1. Mirrors and glass do not count.
 
-Estimators:
+cast-ray takes --samples rays from every wall that it meets, --repeat times; its options are --sampler, --emitters and --as-printed. All other estimators make --samples independent estimates, and their options are --param NAME=VALUE. The radiance of a wall is told where it is flat and matt: Le + albedo / 2 E.
+
+Estimators (halfdisk estimators tells all of them):
 {}
 Samplers:
 {}
@@ -41,8 +70,10 @@ Defects, for --as-printed=LIST:
 Examples:
   halfdisk probe room.toml --at floor:0.25
   halfdisk probe room.toml --at 0.5,0.5 --normal 0,1 --samples 1e4 --sampler cosine
-  halfdisk probe room.toml --at floor:0.25 --as-printed=frame,pdf --json)",
-        describedNames(kEstimators), describedNames(kSamplers), describedNames(kEmitters),
+  halfdisk probe room.toml --at floor:0.25 --as-printed=frame,pdf --json
+  halfdisk probe room.toml --at floor:0.25 --estimator path --samples 1e4 --param roulette=0
+  halfdisk probe room.toml --at 1,1 --look 1,0 --estimator path --samples 100 --list --json)",
+        describedEstimators(), describedNames(kSamplers), describedNames(kEmitters),
         describedNames(kDefects));
 }
 
@@ -54,10 +85,9 @@ void addNumber(CLI::App& command, const NumberInfo& info, const char* letter, st
 
 template <class Table>
 void addChoice(CLI::App& command, const std::string& option, std::string_view meaning, const Table& table,
-               std::string& text) {
-    command.add_option(option, text, fmt::format("{}: {}", meaning, joinedNames(table)))
-        ->type_name("NAME")
-        ->capture_default_str();
+               std::string_view initial, std::optional<std::string>& text) {
+    command.add_option(option, text, fmt::format("{}: {} [{}]", meaning, joinedNames(table), initial))
+        ->type_name("NAME");
 }
 
 }  // namespace
@@ -75,21 +105,37 @@ void addProbeCommand(CLI::App& app, Action& chosen) {
             "--normal", texts->normal,
             "middle of the half-disk; without it, the front of the wall at the point, and its radiance too")
         ->type_name("X,Y");
-    addChoice(*command, "--estimator", "how light is gathered", kEstimators, texts->estimator);
+    command->add_option("--look", texts->look, "radiance that arrives from there, in place of irradiance")
+        ->type_name("X,Y");
+    command->add_option("--estimator", texts->estimator, "how light is carried")
+        ->type_name("NAME")
+        ->capture_default_str();
+    command->add_option("--param", texts->params, "a parameter of the estimator; may be repeated")
+        ->type_name("NAME=VALUE")
+        ->allow_extra_args(false);
     addNumber(*command, kProbeSamplesInfo, "N", texts->samples);
     addNumber(*command, kMaxDepthInfo, "D", texts->depth);
-    addChoice(*command, "--sampler", "how directions are drawn", kSamplers, texts->sampler);
-    addChoice(*command, "--emitters", "how emitting segments are found", kEmitters, texts->emitters);
+    addNumber(*command, kMaxSpecularInfo, "S", texts->specular);
+    addChoice(*command, "--sampler", "how directions are drawn", kSamplers,
+              nameOf(kSamplers, Settings{}.sampler), texts->sampler);
+    addChoice(*command, "--emitters", "how emitting segments are found", kEmitters,
+              nameOf(kEmitters, Settings{}.emitters), texts->emitters);
     // A flag: without `=` it takes no value, so that what follows stays an argument of its own.
     command
         ->add_flag("--as-printed", texts->asPrinted,
                    "run the published listing's defects: all, or those listed")
         ->type_name("[=LIST]");
     addNumber(*command, kSeedInfo, "K", texts->seed);
-    addNumber(*command, kRepeatsInfo, "R", texts->repeats);
+    command
+        ->add_option("--repeat", texts->repeats,
+                     fmt::format("{} [{}]", kRepeatsInfo.meaning, kRepeatsInfo.initial))
+        ->type_name("R");
     command->add_option("--threads", texts->threads, std::string(kThreadsInfo.meaning))->type_name("T");
     command->add_flag("--anyway", texts->anyway, "cast the rays even if they are more than 10^10");
     command->add_flag("--json", texts->json, "print one JSON object");
+    command->add_flag("--list", texts->list,
+                      fmt::format("with --json: the values of all samples (of cast-ray: repeats), {} at most",
+                                  kMostListed));
     command->footer(helpFooter());
     command->callback([&chosen, texts] { chosen = [texts] { return runProbe(*texts); }; });
 }

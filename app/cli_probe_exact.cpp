@@ -13,6 +13,7 @@ constexpr std::size_t kMostExactWalls = 60;
 std::optional<Rgb> exactIrradiance(const Scene& scene, const Settings& settings, const ShadedPoint& at) {
     if (scene.segments.size() > kMostExactWalls || settings.maxDepth > 1 || settings.defects != DefectSet{})
         return std::nullopt;
+    if (!traitsOf(scene).diffuseOnly) return std::nullopt;
     const SegmentIndex index(scene);
     const Visibility visibility(index);
     if (settings.maxDepth == 0) return directIrradiance(visibility, at);

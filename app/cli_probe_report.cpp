@@ -9,30 +9,11 @@
 namespace halfdisk {
 namespace {
 
-Json jsonOrNull(const std::optional<Rgb>& value) {
-    return value ? jsonOf(*value) : Json(nullptr);
-}
-
 Json defectsJson(DefectSet defects) {
     Json names = Json::array();
     for (const auto& defect : kDefects)
         if (defects.has(defect.value)) names.push_back(std::string(defect.name));
     return names;
-}
-
-std::string row(std::string_view symbol, std::string_view meaning, std::string_view unit, const Rgb& value) {
-    const auto shown = [](double x) {
-        return std::isnan(x) ? std::string("-") : fmt::format("{:.6g}", x + 0.0);
-    };
-    return fmt::format("{:<4} {:<26} {:<11} {:>12} {:>12} {:>12}\n", symbol, meaning, unit, shown(value.x),
-                       shown(value.y), shown(value.z));
-}
-
-std::string rows(std::string_view symbol, std::string_view meaning, std::string_view unit,
-                 const MeasuredRgb& measured) {
-    std::string lines = row(symbol, meaning, unit, measured.mean);
-    if (measured.standardError) lines += row("", "± standard error", unit, *measured.standardError);
-    return lines;
 }
 
 /// (estimate - exact) / standard error to two decimals, NaN where an error of 0 leaves nothing to count in.
@@ -48,16 +29,6 @@ Rgb distanceInErrors(const Rgb& estimate, const Rgb& exact, const Rgb& standardE
                                              : std::nan("");
     }
     return distance;
-}
-
-std::string exactRows(const ProbeAnswer& answer) {
-    if (!answer.exact) return {};
-    std::string lines = row("", "exact E", "W/m", *answer.exact);
-    if (answer.irradiance.standardError)
-        lines +=
-            row("", "estimate - exact", "std. errors",
-                distanceInErrors(answer.irradiance.mean, *answer.exact, *answer.irradiance.standardError));
-    return lines;
 }
 
 std::string warnings(const ProbeAnswer& answer) {
@@ -77,10 +48,10 @@ std::string warnings(const ProbeAnswer& answer) {
 std::string heading(const ProbeAnswer& answer) {
     const ProbeQuestion& question = answer.question;
     const Settings& settings = question.settings;
-    std::string lines = fmt::format(
-        "{}, {} samples x {} repeats, depth {}, sampler {}, emitters {}, seed {}\n",
-        nameOf(kEstimators, question.estimator), settings.samples, question.repeats, settings.maxDepth,
-        nameOf(kSamplers, settings.sampler), nameOf(kEmitters, settings.emitters), settings.seed);
+    std::string lines =
+        fmt::format("{}, {} samples x {} repeats, depth {}, sampler {}, emitters {}, seed {}\n",
+                    question.estimator->id, settings.samples, question.repeats, settings.maxDepth,
+                    nameOf(kSamplers, settings.sampler), nameOf(kEmitters, settings.emitters), settings.seed);
     if (settings.defects != DefectSet{}) {
         std::string names;
         for (const auto& defect : kDefects)
@@ -97,11 +68,47 @@ std::string heading(const ProbeAnswer& answer) {
 
 }  // namespace
 
+Json jsonOrNull(const std::optional<Rgb>& value) {
+    return value ? jsonOf(*value) : Json(nullptr);
+}
+
+std::string probeRow(std::string_view symbol, std::string_view meaning, std::string_view unit,
+                     const Rgb& value) {
+    const auto shown = [](double x) {
+        return std::isnan(x) ? std::string("-") : fmt::format("{:.6g}", x + 0.0);
+    };
+    return fmt::format("{:<4} {:<26} {:<11} {:>12} {:>12} {:>12}\n", symbol, meaning, unit, shown(value.x),
+                       shown(value.y), shown(value.z));
+}
+
+std::string probeRows(std::string_view symbol, std::string_view meaning, std::string_view unit,
+                      const MeasuredRgb& measured) {
+    std::string lines = probeRow(symbol, meaning, unit, measured.mean);
+    if (measured.standardError) lines += probeRow("", "± standard error", unit, *measured.standardError);
+    return lines;
+}
+
+std::string exactRows(const MeasuredRgb& measured, const std::optional<Rgb>& exact) {
+    if (!exact) return {};
+    std::string lines = probeRow("", "exact E", "W/m", *exact);
+    if (measured.standardError)
+        lines += probeRow("", "estimate - exact", "std. errors",
+                          distanceInErrors(measured.mean, *exact, *measured.standardError));
+    return lines;
+}
+
+Json measuredJson(const MeasuredRgb& measured) {
+    Json object;
+    object["mean"] = jsonOf(measured.mean);
+    object["standardError"] = jsonOrNull(measured.standardError);
+    return object;
+}
+
 Json probeJson(const ProbeAnswer& answer) {
     const ProbeQuestion& question = answer.question;
     const Settings& settings = question.settings;
     Json object;
-    object["estimator"] = std::string(nameOf(kEstimators, question.estimator));
+    object["estimator"] = std::string(question.estimator->id);
     object["sampler"] = std::string(nameOf(kSamplers, settings.sampler));
     object["samples"] = settings.samples;
     object["depth"] = settings.maxDepth;
@@ -110,22 +117,17 @@ Json probeJson(const ProbeAnswer& answer) {
     object["threads"] = question.threads;
     object["at"] = jsonOf(answer.place.at);
     object["normal"] = jsonOf(answer.place.shaded.N);
-    object["irradiance"]["mean"] = jsonOf(answer.irradiance.mean);
-    object["irradiance"]["standardError"] = jsonOrNull(answer.irradiance.standardError);
+    object["irradiance"] = measuredJson(answer.irradiance);
     object["irradiance"]["direct"] = jsonOf(answer.estimate.direct);
     object["irradiance"]["indirect"] = jsonOf(answer.estimate.indirect);
-    object["radiance"] = nullptr;
-    if (answer.radiance) {
-        object["radiance"] = Json::object();
-        object["radiance"]["mean"] = jsonOf(answer.radiance->mean);
-        object["radiance"]["standardError"] = jsonOrNull(answer.radiance->standardError);
-    }
+    object["radiance"] = answer.radiance ? measuredJson(*answer.radiance) : Json(nullptr);
     object["variancePerSample"] = jsonOrNull(answer.variancePerSample);
     object["rays"] = answer.estimate.rays;
     object["seconds"] = jsonOf(answer.seconds);
     object["nonFinite"] = answer.estimate.nonFinite();
     object["emitters"] = std::string(nameOf(kEmitters, settings.emitters));
     if (settings.defects != DefectSet{}) object["asPrinted"] = defectsJson(settings.defects);
+    for (const Rgb& value : answer.values) object["values"].push_back(jsonOf(value));
     return object;
 }
 
@@ -133,13 +135,13 @@ std::string probeTable(const ProbeAnswer& answer) {
     const Estimate& estimate = answer.estimate;
     std::string table = heading(answer);
     table += fmt::format("\n{:<43} {:>12} {:>12} {:>12}\n", "", "red", "green", "blue");
-    table += rows("E", "irradiance", "W/m", answer.irradiance);
-    table += row("", "direct: never scattered", "W/m", estimate.direct);
-    table += row("", "indirect: scattered", "W/m", estimate.indirect);
-    table += exactRows(answer);
-    if (answer.radiance) table += rows("L", "radiance leaving the wall", "W/(m rad)", *answer.radiance);
+    table += probeRows("E", "irradiance", "W/m", answer.irradiance);
+    table += probeRow("", "direct: never scattered", "W/m", estimate.direct);
+    table += probeRow("", "indirect: scattered", "W/m", estimate.indirect);
+    table += exactRows(answer.irradiance, answer.exact);
+    if (answer.radiance) table += probeRows("L", "radiance leaving the wall", "W/(m rad)", *answer.radiance);
     if (answer.variancePerSample)
-        table += row("", "variance of one sample", "(W/m)^2", *answer.variancePerSample);
+        table += probeRow("", "variance of one sample", "(W/m)^2", *answer.variancePerSample);
     table += fmt::format("\n{} rays in {:.3g} s on {} thread{} ({:.3g} rays/s), {} samples not finite\n",
                          estimate.rays, answer.seconds, answer.question.threads,
                          answer.question.threads == 1 ? "" : "s",

@@ -61,7 +61,7 @@ struct LightAnswer {
     std::shared_ptr<const Record> record;
     RecordSummary summary;
     Irradiance estimate;
-    Rgb radiance{0.0};                    ///< that P's wall sends out
+    std::optional<Rgb> radiance;  ///< that P's wall sends out, if it is diffuse: else it depends on the view
     std::optional<Irradiance> corrected;  ///< with defects on: the same run without them
     std::vector<Rgb> contributions;       ///< of each first-bounce sample, light samples excluded
     std::optional<Rgb> standardError;     ///< of the run, from its own samples; none for dependent samples

@@ -79,8 +79,9 @@ void costRows(const Ui& ui, const LightAnswer& answer) {
         row(ui, "off by",
             fmt::format("{:+.1f} %", 100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0)),
             palette.ink, "Estimate against exact value.");
-    row(ui, "L of the wall", shown(answer.radiance), palette.ink,
-        "The radiance that P's wall sends out: its emission plus albedo / 2 times E, in W/(m rad).");
+    row(ui, "L of the wall", answer.radiance ? shown(*answer.radiance) : "depends on the view", palette.ink,
+        "The radiance that P's wall sends out: its emission plus albedo / 2 times E, in W/(m rad). Of a wall "
+        "that is not diffuse it differs with the direction.");
     row(ui, "rays cast", withThousands(answer.rays), palette.ink,
         "Half-disk rays at all depths and shadow rays, in this one run.");
 }

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "core/estimator.h"
+
 namespace halfdisk {
 namespace {
 
@@ -28,7 +30,9 @@ PreparedScene::PreparedScene(SceneDescription described)
       scene(expandScene(description)),
       index(scene),
       bounds(boundsOf(scene)) {
-    if (scene.segments.size() <= Reference::kMostWalls) visibility.emplace(index);
+    // Exact answers are known for diffuse rooms only.
+    if (scene.segments.size() <= Reference::kMostWalls && traitsOf(scene).diffuseOnly)
+        visibility.emplace(index);
 }
 
 }  // namespace halfdisk

@@ -27,8 +27,9 @@ struct PreparedScene {
     SceneDescription description;
     Scene scene;
     SegmentIndex index;
-    std::optional<Visibility> visibility;  ///< empty for scenes with too many walls for exact answers
-    Bounds bounds;                         ///< of walls and point lights
+    std::optional<Visibility>
+        visibility;  ///< empty where there are no exact answers: too many walls, or not all diffuse
+    Bounds bounds;   ///< of walls and point lights
 };
 
 }  // namespace halfdisk

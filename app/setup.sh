@@ -6,8 +6,8 @@ set -euo pipefail
 # The one list of Debian packages: what the program needs, and what only the tests need.
 readonly packages=(
     cmake g++ ninja-build pkg-config
-    doctest-dev libcli11-dev libfmt-dev libfreetype-dev libgl-dev libglfw3-dev libglm-dev libimgui-dev libosmesa6
-    libosmesa6-dev libpng-dev librandom123-dev libtomlplusplus-dev nlohmann-json3-dev
+    doctest-dev libcli11-dev libeigen3-dev libfmt-dev libfreetype-dev libgl-dev libglfw3-dev libglm-dev libimgui-dev
+    libosmesa6 libosmesa6-dev libpng-dev librandom123-dev libtomlplusplus-dev nlohmann-json3-dev
     fonts-dejavu-core fonts-inter
 )
 readonly test_packages=(

@@ -17,6 +17,8 @@ struct Palette {
     ImU32 accent = IM_COL32(0x00, 0x5b, 0x8e, 255);            ///< links, terms, what can be moved
     ImU32 wallFront = IM_COL32(0x22, 0x22, 0x22, 255);         ///< the side that scatters
     ImU32 wallBack = IM_COL32(0xb5, 0xae, 0xa2, 255);          ///< the black, opaque side
+    ImU32 glass = IM_COL32(0x3d, 0x8f, 0xb8, 255);             ///< skins of glass (blue)
+    ImU32 mirror = IM_COL32(0x8a, 0x9b, 0xb0, 255);            ///< mirrors (silver)
     ImU32 light = IM_COL32(0xe6, 0x9f, 0x00, 255);             ///< sources (orange)
     ImU32 point = IM_COL32(0xd5, 0x5e, 0x00, 255);             ///< the shaded point P (vermillion)
     ImU32 normal = IM_COL32(0x00, 0x7a, 0x5a, 255);            ///< its normal (bluish green)

@@ -16,10 +16,12 @@ using std::uint32_t;
 template <class Observer = NoObserver>
 struct AsPrinted : Tracing<Observer> {
     using Tracing<Observer>::scene, Tracing<Observer>::settings, Tracing<Observer>::see,
-        Tracing<Observer>::rays;
+        Tracing<Observer>::rays, Tracing<Observer>::cut;
 
     Radiance castRay(const Ray& ray, uint32_t depth, const Rng& rng);
     Irradiance gatherLight(const ShadedPoint& at, uint32_t depth, const Rng& rng, SampleRange range);
+    Radiance followSpecular(const SurfacePoint& met, double coin, uint32_t speculars, uint32_t depth,
+                            const Rng& rng);
     double shadowRay(const ShadedPoint& at, const LightSample& light, Vec2 towards);
 
     bool printed(Defect defect) const { return settings.defects.has(defect); }
@@ -31,13 +33,20 @@ template <class Observer>
 Radiance AsPrinted<Observer>::castRay(const Ray& ray, uint32_t depth, const Rng& rng) {  // 001
     const Hit hit = scene.closestHit(ray);
     see.meet(ray, hit, depth, ++rays);
-    if (!hit) return {scene.environment()};
-    if (!isLitSide(scene, hit)) return {};
-    const Rgb emitted = emittedTo(scene, ray, hit, settings.emitters);
+    if (!hit) return {scene.environment(ray.direction)};
+    const SurfacePoint met = surfaceAt(scene, ray, hit);
+    if (!actsThere(scene, met)) return {};
+    const Rgb clear = transmittance(scene, ray.medium, hit.t);
+    const Rgb emitted = emittedTo(scene, ray, hit, settings.emitters) * clear;
+    const double coin = coinOf(met, rng);
+    if (isSpecularFor(met, coin)) {  // a mirror or glass: it gathers nothing, the ray goes on
+        const Radiance beyond = followSpecular(met, coin, ray.speculars + 1, depth, rng);
+        return {emitted + beyond.emitted * clear, beyond.scattered * clear};
+    }
     if (depth > settings.maxDepth) return {emitted};  // 002
-    const ShadedPoint at = shadedPointAt(scene, hit);
+    const ShadedPoint at = shadedPointAt(met, coin);
     const Irradiance arriving = gatherLight(at, depth, rng, SampleRange::all(settings.samples));
-    return {emitted, arriving.total() * at.albedo / (printed(Defect::albedo) ? kPi : 2.0)};  // 033
+    return {emitted, arriving.total() * clear * at.albedo / (printed(Defect::albedo) ? kPi : 2.0)};  // 033
 }  // 034
 
 template <class Observer>
@@ -52,8 +61,9 @@ Irradiance AsPrinted<Observer>::gatherLight(const ShadedPoint& at, uint32_t dept
         for (uint32_t n = draws.first; n < draws.last; ++n) {
             const double u = drawUnit(settings, rng, n, 1 + i, draws.N);
             const LightSample light = sampleLight(scene, i, P, u);
-            const Vec2 L = printed(Defect::lightsign) ? -light.L : light.L;            // 007
-            Rgb L_i = light.L_i * weightOf(light, settings, dot(N, L));                // 008
+            const Vec2 L = printed(Defect::lightsign) ? -light.L : light.L;  // 007
+            Rgb L_i = light.L_i * transmittance(scene, at.medium, light.distance) *
+                      (weightOf(light, settings, at) * favour(at.lobe, N, L));         // 008
             if (printed(Defect::falloff) && isPoint(scene, i)) L_i *= light.distance;  // I, not I / r
             const double visible = shadowRay(at, light, L);
             directLightContrib += visible * std::max(0.0, dot(N, L)) * L_i / draws.size();  // 010
@@ -65,9 +75,10 @@ Irradiance AsPrinted<Observer>::gatherLight(const ShadedPoint& at, uint32_t dept
         printed(Defect::frame) ? Frame{{{N.y, -N.x}, {N.x, N.y}}} : frameFromNormal(N);  // 013
     for (uint32_t n = range.first; n < range.last && see.keepGoing(); ++n) {             // 015
         // step 1: draw a random sample in the half-disk
-        const auto [theta, pdfAngle] = drawHalfDisk(settings, rng, n, range.N);  // 017
-        const double cosTheta = std::cos(theta);                                 // 018
-        const double sinTheta = std::sin(theta);                                 // 019
+        const auto [theta, pdfAngle] = drawHalfDisk(settings, at, rng, n, range.N);  // 017
+        if (theta <= 0.0 || theta >= kPi) continue;  // the part of a lobe that the wall cuts off
+        const double cosTheta = std::cos(theta);     // 018
+        const double sinTheta = std::sin(theta);     // 019
         see.sample(n, theta, pdfAngle);
         // step 2: rotate the sample direction
         const Vec2 direction = rotMat.toWorld(cosTheta, sinTheta);  // 021
@@ -78,7 +89,8 @@ Irradiance AsPrinted<Observer>::gatherLight(const ShadedPoint& at, uint32_t dept
         see.arrival(n, ray, sampleColor);
         // steps 4 and 5: treat the returned colour as if it was a light
         const double cosine = printed(Defect::cosine) ? cosTheta : sinTheta;
-        const double weight = printed(Defect::pdf) ? cosine : cosine / pdfAngle;
+        const double weight =
+            (printed(Defect::pdf) ? cosine : cosine / pdfAngle) * favour(at.lobe, N, direction);
         metLightContrib += sampleColor.emitted * weight;
         indirectLightContrib += sampleColor.scattered * weight;  // 027
         see.accumulate(n, sampleColor.total() * weight, metLightContrib + indirectLightContrib);
@@ -107,6 +119,19 @@ Ray AsPrinted<Observer>::leave(const ShadedPoint& at, Vec2 direction, double pdf
     Ray ray = rayFrom(scene, at, direction, pdfAngle);
     if (dot(at.N, direction) < 0.0) ray.skip = kNoSegment;
     return ray;
+}
+
+template <class Observer>
+Radiance AsPrinted<Observer>::followSpecular(const SurfacePoint& met, double coin, uint32_t speculars,
+                                             uint32_t depth, const Rng& rng) {
+    if (speculars > settings.maxSpecular) {
+        ++cut;
+        return {};
+    }
+    const auto way = sampleSurface(met, Carried::radiance, {coin, 0.5, 0.5});
+    const Radiance beyond =
+        castRay(halfdisk::leave(scene, met, *way, speculars), depth, rng.child(kOwnSample));
+    return {beyond.emitted * way->weight, beyond.scattered * way->weight};
 }
 // [end]
 

@@ -14,7 +14,7 @@ using std::uint32_t;
 template <class Observer = NoObserver>
 struct CastRay : Tracing<Observer> {
     using Tracing<Observer>::scene, Tracing<Observer>::settings, Tracing<Observer>::see,
-        Tracing<Observer>::rays;
+        Tracing<Observer>::rays, Tracing<Observer>::cut;
 
     /// Light back along `ray`. `depth` is 0 at the point shaded first; past maxDepth a wall emits but does
     /// not scatter.
@@ -22,6 +22,10 @@ struct CastRay : Tracing<Observer> {
 
     /// Light that arrives at P over the half-disk about N: the mean of the samples in `range`.
     Irradiance gatherLight(const ShadedPoint& at, uint32_t depth, const Rng& rng, SampleRange range);
+
+    /// Light that comes back over a mirror or a skin of glass, the `speculars`-th in a row.
+    Radiance followSpecular(const SurfacePoint& met, double coin, uint32_t speculars, uint32_t depth,
+                            const Rng& rng);
 
     /// 1 if nothing stands between P and the light, else 0.
     double shadowRay(const ShadedPoint& at, const LightSample& light);
@@ -32,13 +36,20 @@ template <class Observer>
 Radiance CastRay<Observer>::castRay(const Ray& ray, uint32_t depth, const Rng& rng) {  // 001
     const Hit hit = scene.closestHit(ray);
     see.meet(ray, hit, depth, ++rays);
-    if (!hit) return {scene.environment()};  // a miss returns the environment
-    if (!isLitSide(scene, hit)) return {};   // the back of a wall is black
-    const Rgb emitted = emittedTo(scene, ray, hit, settings.emitters);
+    if (!hit) return {scene.environment(ray.direction)};  // a miss returns the environment
+    const SurfacePoint met = surfaceAt(scene, ray, hit);
+    if (!actsThere(scene, met)) return {};  // the back of a wall is black
+    const Rgb clear = transmittance(scene, ray.medium, hit.t);
+    const Rgb emitted = emittedTo(scene, ray, hit, settings.emitters) * clear;
+    const double coin = coinOf(met, rng);
+    if (isSpecularFor(met, coin)) {  // a mirror or glass: it gathers nothing, the ray goes on
+        const Radiance beyond = followSpecular(met, coin, ray.speculars + 1, depth, rng);
+        return {emitted + beyond.emitted * clear, beyond.scattered * clear};
+    }
     if (depth > settings.maxDepth) return {emitted};  // 002
-    const ShadedPoint at = shadedPointAt(scene, hit);
+    const ShadedPoint at = shadedPointAt(met, coin);
     const Irradiance arriving = gatherLight(at, depth, rng, SampleRange::all(settings.samples));
-    return {emitted, arriving.total() * at.albedo / 2.0};  // 033
+    return {emitted, arriving.total() * clear * at.albedo / 2.0};  // 033
 }  // 034
 
 template <class Observer>
@@ -53,8 +64,9 @@ Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, uint32_t depth,
         for (uint32_t n = draws.first; n < draws.last; ++n) {
             const double u = drawUnit(settings, rng, n, 1 + i, draws.N);
             const LightSample light = sampleLight(scene, i, P, u);
-            const Vec2 L = light.L;                                            // 007
-            const Rgb L_i = light.L_i * weightOf(light, settings, dot(N, L));  // 008
+            const Vec2 L = light.L;  // 007
+            const Rgb L_i = light.L_i * transmittance(scene, at.medium, light.distance) *
+                            (weightOf(light, settings, at) * favour(at.lobe, N, L));  // 008
             // we assume the surface at P is diffuse
             const double visible = shadowRay(at, light);
             directLightContrib += visible * std::max(0.0, dot(N, L)) * L_i / draws.size();  // 010
@@ -65,9 +77,10 @@ Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, uint32_t depth,
     const Frame rotMat = frameFromNormal(N);                                  // 013
     for (uint32_t n = range.first; n < range.last && see.keepGoing(); ++n) {  // 015
         // step 1: draw a random sample in the half-disk
-        const auto [theta, pdfAngle] = drawHalfDisk(settings, rng, n, range.N);  // 017
-        const double cosTheta = std::cos(theta);                                 // 018
-        const double sinTheta = std::sin(theta);                                 // 019
+        const auto [theta, pdfAngle] = drawHalfDisk(settings, at, rng, n, range.N);  // 017
+        if (theta <= 0.0 || theta >= kPi) continue;  // the part of a lobe that the wall cuts off
+        const double cosTheta = std::cos(theta);     // 018
+        const double sinTheta = std::sin(theta);     // 019
         see.sample(n, theta, pdfAngle);
         // step 2: rotate the sample direction
         const Vec2 direction = rotMat.toWorld(cosTheta, sinTheta);  // 021
@@ -78,7 +91,7 @@ Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, uint32_t depth,
         see.arrival(n, ray, sampleColor);
         // steps 4 and 5: treat the returned colour as if it was a light
         // (theta starts at the tangent, so N.L is its sine)
-        const double weight = sinTheta / pdfAngle;
+        const double weight = sinTheta / pdfAngle * favour(at.lobe, N, direction);
         metLightContrib += sampleColor.emitted * weight;
         indirectLightContrib += sampleColor.scattered * weight;  // 027
         see.accumulate(n, sampleColor.total() * weight, metLightContrib + indirectLightContrib);
@@ -98,6 +111,19 @@ double CastRay<Observer>::shadowRay(const ShadedPoint& at, const LightSample& li
     if (dot(at.N, light.L) <= 0.0 || light.L_i == Rgb(0.0)) return 0.0;  // nothing would be added
     ++rays;
     return scene.occluded(rayFrom(scene, at, light.L), light.distance, light.segment) ? 0.0 : 1.0;
+}
+
+template <class Observer>
+Radiance CastRay<Observer>::followSpecular(const SurfacePoint& met, double coin, uint32_t speculars,
+                                           uint32_t depth, const Rng& rng) {
+    if (speculars > settings.maxSpecular) {
+        ++cut;
+        return {};
+    }
+    const auto way = sampleSurface(met, Carried::radiance, {coin, 0.5, 0.5});
+    const Radiance beyond =
+        castRay(halfdisk::leave(scene, met, *way, speculars), depth, rng.child(kOwnSample));
+    return {beyond.emitted * way->weight, beyond.scattered * way->weight};
 }
 // [end]
 

@@ -20,7 +20,7 @@ struct Chunk {
     Statistics samples;
     Statistics repeats;
     Rgb direct{0.0}, indirect{0.0};  // sums over samples
-    std::uint64_t rays = 0;
+    std::uint64_t rays = 0, cut = 0;
     bool endsRepeat = false;  // the last part of a repeat that takes several chunks
 };
 
@@ -118,8 +118,8 @@ NearestWall wallAt(const SegmentIndex& index, Vec2 P, std::optional<Vec2> normal
 }
 
 Rgb albedoOf(const SegmentIndex& index, std::uint32_t segment) {
-    const Scene& scene = index.scene();
-    return std::get<Diffuse>(scene.materials[scene.segments[segment].material]).albedo;
+    const auto* diffuse = std::get_if<Diffuse>(&index.material(segment));
+    return diffuse ? diffuse->albedo : Rgb(0.0);
 }
 
 }  // namespace

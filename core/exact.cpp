@@ -23,9 +23,9 @@ double cosineMeasure(const VisibleArc& arc) {
     return 2.0 * std::sin((arc.from + arc.to) / 2) * std::sin((arc.to - arc.from) / 2);
 }
 
-Rgb seenRadiance(const Visibility& visibility, const Hit& hit, int depth) {
+Rgb seenRadiance(const Visibility& visibility, const Hit& hit, Vec2 direction, int depth) {
     const SegmentIndex& index = visibility.index();
-    if (!hit) return index.environment();
+    if (!hit) return index.environment(direction);
     if (!isLitSide(index, hit)) return Rgb(0.0);
     const Rgb& emission = index.scene().segments[hit.segment].emission;
     if (depth == 0) return emission;
@@ -67,12 +67,19 @@ Visibility::Visibility(const SegmentIndex& index) : index_(&index) {
         corners_.push_back(segments[i].b);
         for (std::size_t k = 0; k < i; ++k) addCrossing(segments[i], segments[k], corners_);
     }
+    const std::size_t bins = index.scene().environment.strip.size();
+    for (std::size_t k = 0; k < bins; ++k) {
+        const double angle = 2.0 * kPi * static_cast<double>(k) / static_cast<double>(bins);
+        skyEdges_.push_back({std::cos(angle), std::sin(angle)});
+    }
 }
 
 std::vector<VisibleArc> Visibility::arcs(const ShadedPoint& at) const {
     std::vector<double> cuts{0.0, kPi};
     for (const Vec2& corner : corners_)
         if (seesOver(at, corner - at.P)) cuts.push_back(thetaOf(at, corner - at.P));
+    for (const Vec2& edge : skyEdges_)
+        if (seesOver(at, edge)) cuts.push_back(thetaOf(at, edge));
     std::sort(cuts.begin(), cuts.end());
 
     const Frame frame = frameFromNormal(at.N);
@@ -100,15 +107,19 @@ Rgb deltaIrradiance(const SegmentIndex& index, const ShadedPoint& at) {
 
 Rgb directIrradiance(const Visibility& visibility, const ShadedPoint& at) {
     Rgb sum = deltaIrradiance(visibility.index(), at);
-    for (const VisibleArc& arc : visibility.arcs(at))
-        sum += seenRadiance(visibility, arc.hit, 0) * cosineMeasure(arc);
+    const Frame frame = frameFromNormal(at.N);
+    for (const VisibleArc& arc : visibility.arcs(at)) {
+        const double middle = (arc.from + arc.to) / 2;
+        const Vec2 direction = frame.toWorld(std::cos(middle), std::sin(middle));
+        sum += seenRadiance(visibility, arc.hit, direction, 0) * cosineMeasure(arc);
+    }
     return sum;
 }
 
 Rgb arrivingRadiance(const Visibility& visibility, const ShadedPoint& at, double theta, int depth) {
     const Vec2 direction = frameFromNormal(at.N).toWorld(std::cos(theta), std::sin(theta));
     return seenRadiance(visibility, visibility.index().closestHit(rayFrom(visibility.index(), at, direction)),
-                        depth);
+                        direction, depth);
 }
 
 ExactEstimate halfDiskEstimate(const Visibility& visibility, const ShadedPoint& at, Sampler sampler,

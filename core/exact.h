@@ -39,6 +39,7 @@ class Visibility {
  private:
     const SegmentIndex* index_;
     std::vector<Vec2> corners_;
+    std::vector<Vec2> skyEdges_;  // directions in which the environment's radiance jumps
 };
 
 /// Irradiance (W/m) that was never scattered. Exact with occlusion: delta lights by their shadow rays,

@@ -16,13 +16,16 @@
 namespace halfdisk {
 
 inline constexpr std::uint32_t kNoSegment = 0xFFFFFFFF;
+inline constexpr std::uint32_t kNoMedium = 0xFFFFFFFF;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Ray {
-    Vec2 origin;                      ///< m
-    Vec2 direction;                   ///< need not be of unit length; t counts in its length
-    std::uint32_t skip = kNoSegment;  ///< the straight wall that the ray leaves, which it cannot meet again
-    double pdfAngle = 0.0;            ///< density (1/rad) by which a half-disk drew it; 0: aimed, not drawn
+    Vec2 origin;                       ///< m
+    Vec2 direction;                    ///< need not be of unit length; t counts in its length
+    std::uint32_t skip = kNoSegment;   ///< the straight wall that the ray leaves, which it cannot meet again
+    double pdfAngle = 0.0;             ///< density (1/rad) by which a half-disk drew it; 0: aimed, not drawn
+    std::uint32_t medium = kNoMedium;  ///< the glass (an index into Scene::materials) that it runs in
+    std::uint32_t speculars = 0;       ///< mirror and glass events in a row that it comes from
 };
 
 struct Hit {
@@ -52,11 +55,15 @@ class SegmentIndex {
     bool occluded(const Ray& ray, double tMax, std::uint32_t lamp = kNoSegment) const;
 
     const Scene& scene() const { return *scene_; }
-    const Rgb& environment() const { return scene_->environment; }
+    /// Radiance that a ray in this direction meets if it meets no wall.
+    Rgb environment(Vec2 direction) const { return radianceFrom(scene_->environment, direction); }
     const std::vector<std::uint32_t>& emitters() const {
         return emitters_;
     }  ///< segments that emit, ascending
     Vec2 normal(std::uint32_t segment) const { return edges_[segment].normal; }
+    const Material& material(std::uint32_t segment) const {
+        return scene_->materials[scene_->segments[segment].material];
+    }
     double length(std::uint32_t segment) const { return edges_[segment].length; }
 
     /// Point at u of a segment, kept away from both ends by `endMargin` so that it stays inside sharp corners

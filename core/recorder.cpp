@@ -41,13 +41,19 @@ void Recorder::meet(const Ray& ray, const Hit& hit, std::uint32_t, std::uint64_t
     record_.rays = rays;
     if (omitted()) return;
     Frame& frame = open_.back();
-    frame.segment = hit.segment;
-    frame.missed = !hit;
-    frame.to = ray.origin + ray.direction * (hit ? hit.t : 1.0);
+    const Vec2 to = ray.origin + ray.direction * (hit ? hit.t : 1.0);
+    if (ray.speculars == 0) {
+        frame.segment = hit.segment;
+        frame.missed = !hit;
+        frame.to = to;
+    }
     Event& event = append(EventKind::meet);
     event.segment = hit.segment;
     event.missed = !hit;
-    event.to = frame.to;
+    // Beyond a mirror or glass it starts there.
+    event.onward = ray.speculars > 0;
+    if (event.onward) event.from = ray.origin;
+    event.to = to;
     event.direction = ray.direction;
 }
 

@@ -34,6 +34,7 @@ struct Event {
     double theta = 0.0;                  ///< rad, from the tangent
     double pdfAngle = 0.0;               ///< 1 / rad
     bool visible = false;                ///< the shadow ray got through
+    bool onward = false;                 ///< the ray comes from a mirror or glass (EventKind::meet)
     bool missed = false;                 ///< the ray met no wall: `to` lies one direction's length away
     Vec2 from{0.0}, to{0.0};             ///< ends of the ray, m
     Vec2 direction{0.0};                 ///< unit

@@ -48,6 +48,7 @@ inline HalfDiskSample sampleHalfDisk(Sampler sampler, double u, std::uint32_t n,
         case Sampler::uniform:
             return sampleUniformHalfDisk(u);
         case Sampler::cosine:
+        case Sampler::lobe:  // of a diffuse wall
             return sampleCosineHalfDisk(u);
         case Sampler::stratified:
             return sampleStratifiedHalfDisk(u, n, N);
@@ -57,7 +58,7 @@ inline HalfDiskSample sampleHalfDisk(Sampler sampler, double u, std::uint32_t n,
 
 /// The chosen sampler's pdf (1/rad) for a direction at `cosine` = N.omega > 0.
 inline double pdfHalfDisk(Sampler sampler, double cosine) {
-    return sampler == Sampler::cosine ? cosine / 2.0 : 1.0 / kPi;
+    return sampler == Sampler::cosine || sampler == Sampler::lobe ? cosine / 2.0 : 1.0 / kPi;
 }
 
 }  // namespace halfdisk

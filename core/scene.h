@@ -2,22 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "environment.h"
+#include "materials/material.h"
 #include "math.h"
 
 namespace halfdisk {
-
-/// Lambertian: BRDF albedo / 2 per radian, since the cosine integrates to 2 over a half-disk.
-struct Diffuse {
-    Rgb albedo{0.8};  ///< reflected / arriving power, 0 ... 1 per channel
-    bool operator==(const Diffuse&) const = default;
-};
-
-/// A closed set: a forgotten case does not compile.
-using Material = std::variant<Diffuse>;
 
 /// A wall from a to b (m). Its front is the side to the left of a->b; the back is opaque and black.
 struct Segment {
@@ -25,6 +19,9 @@ struct Segment {
     std::uint32_t material = 0;  ///< index into Scene::materials
     Rgb emission{0.0};           ///< radiance Le leaving the front, W / (m rad)
     bool twoSided = false;       ///< both sides scatter and emit like a front
+    /// Normals of the round thing that this wall is a facet of, at a and b (front side); scattering
+    /// interpolates them. Zero: the wall is flat.
+    Vec2 normalA{0.0}, normalB{0.0};
     bool operator==(const Segment&) const = default;
 };
 
@@ -41,22 +38,35 @@ struct DirectionalLight {
     bool operator==(const DirectionalLight&) const = default;
 };
 
+/// A flatland pinhole camera: it sees a strip.
+struct Eye {
+    Vec2 position{0.0};        ///< m
+    Vec2 direction{1.0, 0.0};  ///< of its middle, unit length
+    double fov = kPi / 2;      ///< whole angle, rad, below pi
+    bool operator==(const Eye&) const = default;
+};
+
 using DeltaLight = std::variant<PointLight, DirectionalLight>;
 
 struct Scene {
     std::string title;
-    Rgb environment{0.0};  ///< radiance of everything that is not a wall, W / (m rad)
+    Environment environment;  ///< what is seen where no wall is
     std::vector<Segment> segments;
     std::vector<std::string> segmentNames;  ///< parallel to `segments`
     std::vector<Material> materials;
     std::vector<std::string> materialNames;  ///< parallel to `materials`
     std::vector<DeltaLight> lights;
+    std::optional<Eye> eye;
     bool operator==(const Scene&) const = default;
 };
 
 /// Unit normal on the front side of `s`: left of a->b.
 inline Vec2 frontNormal(const Segment& s) {
     return perp(s.b - s.a) / glm::length(s.b - s.a);
+}
+
+inline bool isSmooth(const Segment& s) {
+    return s.normalA != Vec2(0.0);
 }
 
 inline bool isEmitter(const Segment& s) {

@@ -10,7 +10,7 @@
 namespace halfdisk {
 
 /// How directions are drawn over the half-disk.
-enum class Sampler : std::uint8_t { uniform, cosine, stratified };
+enum class Sampler : std::uint8_t { uniform, cosine, stratified, lobe };
 
 /// How light that leaves an emitting segment is counted, once in any case.
 enum class Emitters : std::uint8_t { sample, hit, both };
@@ -25,10 +25,12 @@ struct Named {
     std::string_view meaning;  ///< one line, for help and hover
 };
 
-inline constexpr std::array<Named<Sampler>, 3> kSamplers{{
+inline constexpr std::array<Named<Sampler>, 4> kSamplers{{
     {Sampler::uniform, "uniform", "every angle of the half-disk is equally likely: pdf 1/\u03c0 per radian"},
     {Sampler::cosine, "cosine", "angles near the normal are likelier: pdf cos\u03b8/2 per radian"},
     {Sampler::stratified, "stratified", "one random angle in each of N equal slices of the half-disk"},
+    {Sampler::lobe, "lobe",
+     "as the surface scatters: cosine on a diffuse wall, about the mirror direction on a glossy one"},
 }};
 
 inline constexpr std::array<Named<Emitters>, 3> kEmitters{{
@@ -86,6 +88,8 @@ inline constexpr NumberInfo kSamplesInfo{"samples", "N",           "half-disk sa
                                          1,         1'000'000'000, 16};
 inline constexpr NumberInfo kMaxDepthInfo{
     "depth", "maxDepth", "scatterings between the light and the half-disk", 0, 64, 1};
+inline constexpr NumberInfo kMaxSpecularInfo{
+    "specular", "maxSpecular", "mirror and glass events in a row; they never count as depth", 0, 1000, 32};
 inline constexpr NumberInfo kSeedInfo{
     "seed", "seed", "picks the random numbers; the same seed gives the same picture", 0, UINT64_MAX, 1};
 
@@ -96,7 +100,8 @@ struct Settings {
     std::uint64_t seed = kSeedInfo.initial;
     Sampler sampler = Sampler::uniform;
     Emitters emitters = Emitters::sample;
-    DefectSet defects;  ///< any: run the as-printed variant
+    DefectSet defects;                                     ///< any: run the as-printed variant
+    std::uint32_t maxSpecular = kMaxSpecularInfo.initial;  ///< mirror and glass events in a row
     bool operator==(const Settings&) const = default;
 };
 

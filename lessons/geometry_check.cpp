@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lessons/scene_expansion.h"
+#include "lessons/lens.h"
+#include "lessons/shape_edges.h"
 
 namespace halfdisk {
 namespace {
@@ -59,14 +60,40 @@ struct FaultFinder {
         if (sweep > kMaxSweep)
             return GeometryFault{
                 "to", {}, fmt::format("the arc spans {} degrees, expected at most 360", sweep)};
-        // The chord of more than half a turn has the middle on its other side: "in" and "out" would change
-        // places.
-        if (sweep > 180.0 * s.segments)
+        const double most = s.smooth ? kMaxSmoothEdgeSweep : kMaxEdgeSweep;
+        if (sweep > most * s.segments)
+            return GeometryFault{"segments",
+                                 {},
+                                 fmt::format("each edge would span {} degrees, expected at most {}{}",
+                                             sweep / s.segments, most, s.smooth ? " if smooth" : "")};
+        return zeroLength(s, "radius", "\"radius\" is too small");
+    }
+    Fault operator()(const LensShape& s) const {
+        if (s.axis == Vec2(0.0)) return GeometryFault{"axis", {}, "\"axis\" is [0, 0], expected a direction"};
+        for (const int k : {0, 1})
+            if (s.radius[k] != 0.0 && std::abs(s.radius[k]) < s.height / 2)
+                return GeometryFault{
+                    "radius", static_cast<std::size_t>(k),
+                    fmt::format("a surface of radius {} reaches no height of {}, expected {} or more, {} or "
+                                "less, or 0 for a flat one",
+                                s.radius[k], s.height, s.height / 2, -s.height / 2)};
+        const double rim = rimThickness(s);
+        if (hasRim(s) && rim < 0.0)
+            return GeometryFault{"thickness",
+                                 {},
+                                 fmt::format("the surfaces cross inside the rim, expected a \"thickness\" of "
+                                             "{} or more for this \"height\" and \"radius\"",
+                                             s.thickness - rim)};
+        if (const Fault fault = zeroLength(s, "height", "the lens is too small for where it is"))
+            return fault;
+        if (facetsCross(s))
             return GeometryFault{
                 "segments",
                 {},
-                fmt::format("each edge would span {} degrees, expected at most 180", sweep / s.segments)};
-        return zeroLength(s, "radius", "\"radius\" is too small");
+                fmt::format("the surfaces' facets cross with {} segments, expected more of them or a larger "
+                            "\"thickness\"",
+                            s.segments)};
+        return {};
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "lessons/material_reader.h"
 #include "lessons/scene_keys.h"
 #include "lessons/table_reader.h"
 
@@ -11,6 +12,7 @@ namespace halfdisk {
 /// The reading end of scene_keys.h.
 struct KeyReader {
     TableReader& table;
+    const MaterialTable* materials = nullptr;  ///< for the parts of a mix
 
     template <class Field, class Rule>
     void required(std::string_view key, Field& field, const Rule& rule) {
@@ -20,6 +22,18 @@ struct KeyReader {
     void optional(std::string_view key, Field& field, const Field& fallback, const Rule& rule) {
         field = fallback;
         if (const TomlValue* value = table.optional(key)) read(key, *value, field, rule);
+    }
+
+    template <class Field, class Rule, class Map>
+    void synonym(std::string_view key, std::string_view ofKey, Field& field, const Rule& rule,
+                 const Map& map) {
+        const TomlValue* value = table.optional(key);
+        if (value == nullptr) return;
+        if (table.has(ofKey))
+            failAt(table.file(), value->where,
+                   fmt::format("\"{}\" and \"{}\" say the same, expected one of them", key, ofKey));
+        read(key, *value, field, rule);
+        field = map(field);
     }
 
     void read(std::string_view key, const TomlValue& value, double& field, const NumberRule& rule) {
@@ -55,6 +69,25 @@ struct KeyReader {
                    fmt::format("\"{}\" has {} points, expected at least {}", key, points.size(), rule.least));
         for (const TomlValue& point : points)
             field.push_back(readPoint(table.file(), key, point, kCoordinateRule));
+    }
+    void read(std::string_view key, const TomlValue& value, Vec2& field, CurvatureRule) {
+        field = std::holds_alternative<TomlArray>(value.data)
+                    ? readPoint(table.file(), key, value, kCurvatureRule, "one radius or two [r1, r2]")
+                    : Vec2(readNumber(table.file(), key, value, kCurvatureRule));
+    }
+    void read(std::string_view key, const TomlValue& value, Diffuse& field, PartRule) {
+        field = readDiffusePart(table.file(), key, value, *materials);
+    }
+    void read(std::string_view key, const TomlValue& value, std::variant<Mirror, Glossy>& field, PartRule) {
+        field = readSpecularPart(table.file(), key, value, *materials);
+    }
+    void read(std::string_view key, const TomlValue& value, std::vector<Rgb>& field, StripRule rule) {
+        const TomlArray& colours = readArray(table.file(), key, value, "an array of colours");
+        if (colours.empty() || colours.size() > rule.most)
+            failAt(table.file(), value.where,
+                   fmt::format("\"{}\" has {} entries, expected 1 to {}", key, colours.size(), rule.most));
+        for (const TomlValue& colour : colours)
+            field.push_back(readColour(table.file(), key, colour, kLightRule));
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -53,6 +54,7 @@ struct CircleShape {
     double radius = 0.0;
     std::uint32_t segments = 0;
     Facing facing = Facing::out;
+    bool smooth = false;  ///< walls scatter with the circle's own normals
     bool operator==(const CircleShape&) const = default;
 };
 
@@ -64,14 +66,31 @@ struct ArcShape {
     double from = 0.0, to = 0.0;
     std::uint32_t segments = 0;
     Facing facing = Facing::out;
+    bool smooth = false;  ///< walls scatter with the circle's own normals
     bool operator==(const ArcShape&) const = default;
 };
 
-using Geometry = std::variant<SegmentShape, PolylineShape, PolygonShape, BoxShape, CircleShape, ArcShape>;
+/// A closed shape of two round surfaces, fronts outside. Seen with the axis to the right its edges run
+/// clockwise: up the surface at -axis, along the upper rim, down the surface at +axis, along the lower rim. A
+/// flat surface is one edge; where the surfaces meet at the rim, the rim's edges are left out.
+struct LensShape {
+    Vec2 center{0.0};
+    Vec2 axis{1.0, 0.0};     ///< any length but zero
+    double height = 0.0;     ///< across the axis (m): the aperture
+    double thickness = 0.0;  ///< along the axis (m), in the middle
+    Vec2 radius{0.0};        ///< of curvature (m), of the surface at -axis and of that at +axis: above 0 it
+                             ///< bulges, below 0 it is hollow, 0 is flat
+    std::uint32_t segments = 0;  ///< of each round surface
+    bool smooth = false;         ///< round surfaces scatter with the circles' own normals
+    bool operator==(const LensShape&) const = default;
+};
+
+using Geometry =
+    std::variant<SegmentShape, PolylineShape, PolygonShape, BoxShape, CircleShape, ArcShape, LensShape>;
 
 /// Names in files, parallel to the alternatives of Geometry.
 inline constexpr std::array<std::string_view, std::variant_size_v<Geometry>> kShapeKinds{
-    "segment", "polyline", "polygon", "box", "circle", "arc"};
+    "segment", "polyline", "polygon", "box", "circle", "arc", "lens"};
 
 struct Shape {
     std::string name;  ///< empty: expandScene makes one up ("segment1", "box1", ...)
@@ -92,13 +111,28 @@ struct NamedMaterial {
 /// albedo 0.8.
 inline constexpr std::string_view kDefaultMaterial = "default";
 
-/// Everything in file order.
+/// What is seen where no wall is.
+struct Sky {
+    Environment light;
+    std::string image;  ///< the picture that light.strip came from, as written; empty: the file lists it
+    bool operator==(const Sky&) const = default;
+};
+
+struct EyeDescription {
+    Vec2 position{0.0};        ///< m
+    Vec2 direction{1.0, 0.0};  ///< of its middle, any length but zero
+    double fov = 90.0;         ///< whole angle, degrees
+    bool operator==(const EyeDescription&) const = default;
+};
+
+/// Everything in file order. A mix has its parts, whatever the file calls them.
 struct SceneDescription {
     std::string title;
-    Rgb environment{0.0};  ///< radiance, W / (m rad)
+    Sky environment;
     std::vector<NamedMaterial> materials;
     std::vector<Shape> shapes;
     std::vector<DeltaLight> lights;  ///< directions as written, any length but zero
+    std::optional<EyeDescription> eye;
     bool operator==(const SceneDescription&) const = default;
 };
 

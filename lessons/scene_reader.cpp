@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <unordered_map>
-#include <unordered_set>
 
+#include "lessons/alternatives.h"
 #include "lessons/geometry_check.h"
 #include "lessons/key_reader.h"
+#include "lessons/material_reader.h"
 #include "lessons/scene_file.h"
+#include "lessons/sky_image.h"
 #include "lessons/text_file.h"
 
 namespace halfdisk {
@@ -22,7 +24,8 @@ struct ListedTable {
 
 class SceneReader {
  public:
-    explicit SceneReader(std::string file) : file_(std::move(file)) {}
+    SceneReader(std::string file, const SkyLoader& skyLoader)
+        : file_(std::move(file)), skyLoader_(skyLoader) {}
 
     SceneDescription read(const TomlValue& document) {
         TableReader table(file_, std::get<TomlTable>(document.data), document.where, "a scene file");
@@ -36,16 +39,19 @@ class SceneReader {
                 list(kShapeKinds[kind], *value, kind, shapes);
         std::vector<ListedTable> lights;
         if (const TomlValue* value = table.optional("light")) list("light", *value, 0, lights);
+        const TomlValue* eye = table.optional("eye");
         table.finish();
 
         if (environment != nullptr) readEnvironment(*environment);
-        if (materials != nullptr) readMaterials(*materials);
+        if (materials != nullptr) materials_ = MaterialTable(file_, *materials);
         std::stable_sort(shapes.begin(), shapes.end(), [](const ListedTable& a, const ListedTable& b) {
             return std::pair(a.where.line, a.where.column) < std::pair(b.where.line, b.where.column);
         });
         for (const ListedTable& shape : shapes) readShape(shape);
         checkEdgeNames();
         for (const ListedTable& light : lights) readLight(light);
+        if (eye != nullptr) readEye(*eye);
+        scene_.materials = materials_.list();
         return std::move(scene_);
     }
 
@@ -58,23 +64,27 @@ class SceneReader {
 
     void readEnvironment(const TomlValue& value) {
         TableReader table(file_, readTable(file_, "environment", value), value.where, "environment");
-        KeyReader{table}.optional("radiance", scene_.environment, Rgb(0.0), kLightRule);
+        Sky sky;
+        KeyReader keys{table};
+        keysOf(keys, sky);
         table.finish();
+        if (!sky.image.empty()) {
+            const TextPosition where = table.at("image").where;
+            if (table.has("strip"))
+                failAt(file_, where, "\"image\" and \"strip\" say the same, expected one of them");
+            sky.light.strip = loadSky(sky.image, where);
+        }
+        scene_.environment = std::move(sky);
     }
 
-    void readMaterials(const TomlValue& value) {
-        for (const TomlEntry& entry : readTable(file_, "material", value).entries) {
-            checkName(file_, entry.where, entry.key);
-            TableReader table(file_, readTable(file_, entry.key, entry.value), entry.value.where,
-                              fmt::format("[material.{}]", excerpt(entry.key)));
-            if (const TomlValue* type = table.optional("type"))
-                readNamed(file_, "type", *type, kMaterialTypes);
-            Diffuse diffuse;
-            KeyReader keys{table};
-            keysOf(keys, diffuse);
-            table.finish();
-            scene_.materials.push_back({entry.key, diffuse});
-            materials_.insert(entry.key);
+    std::vector<Rgb> loadSky(const std::string& image, TextPosition where) const {
+        if (!skyLoader_)
+            failAt(file_, where,
+                   "\"image\" is relative to a scene file, but this scene is none, expected \"strip\"");
+        try {
+            return skyLoader_(image);
+        } catch (const InputError& error) {
+            failAt(file_, where, fmt::format("\"image\" cannot be used: {}", error.what()));
         }
     }
 
@@ -82,7 +92,7 @@ class SceneReader {
         TableReader table(file_, *listed.table, listed.where,
                           fmt::format("[[{}]]", kShapeKinds[listed.kind]));
         Shape shape;
-        shape.geometry = emptyGeometry(listed.kind);
+        shape.geometry = alternative<Geometry>(listed.kind);
         KeyReader keys{table};
         keysOf(keys, shape);
         table.finish();
@@ -95,11 +105,12 @@ class SceneReader {
                                kMaxSegments));
         if (const auto fault = findFault(shape.geometry)) {
             const TomlValue& value = table.at(fault->key);
-            const TomlValue& culprit =
-                fault->element ? std::get<TomlArray>(value.data)[*fault->element] : value;
-            failAt(file_, culprit.where, fault->text);
+            // A lens may have one radius for both of its surfaces.
+            const auto* elements = fault->element ? std::get_if<TomlArray>(&value.data) : nullptr;
+            failAt(file_, elements != nullptr ? (*elements)[*fault->element].where : value.where,
+                   fault->text);
         }
-        checkMaterial(table, shape.material);
+        checkMaterial(table, shape);
         if (!shape.name.empty()) {
             const auto [other, isNew] = shapeOfName_.emplace(shape.name, scene_.shapes.size());
             if (!isNew)
@@ -111,14 +122,21 @@ class SceneReader {
         scene_.shapes.push_back(std::move(shape));
     }
 
-    void checkMaterial(const TableReader& table, const std::string& name) const {
-        if (name.empty() || name == kDefaultMaterial) return;
-        if (materials_.count(name) > 0) return;
-        std::vector<std::string_view> names;
-        for (const NamedMaterial& material : scene_.materials) names.push_back(material.name);
-        names.push_back(kDefaultMaterial);
-        failAt(file_, table.at("material").where,
-               fmt::format("there is no material \"{}\", {}", excerpt(name), expectedOneOf(name, names)));
+    void checkMaterial(const TableReader& table, const Shape& shape) const {
+        const std::string name = shape.material.empty() ? std::string(kDefaultMaterial) : shape.material;
+        const Material* material = materials_.find(name);
+        if (material == nullptr)
+            failAt(file_, table.at("material").where,
+                   fmt::format("there is no material \"{}\", {}", excerpt(name),
+                               expectedOneOf(name, materials_.names([](std::size_t) { return true; }))));
+        if (!std::holds_alternative<Dielectric>(*material)) return;
+        if (shape.emission != Rgb(0.0))
+            failAt(file_, table.at("emission").where,
+                   "glass does not emit, expected no \"emission\" on a wall of a dielectric");
+        if (shape.twoSided)
+            failAt(file_, table.at("twoSided").where,
+                   "glass has an outside, its front, and an inside, expected no \"twoSided\" on a wall of a "
+                   "dielectric");
     }
 
     /// A shape called "block.0" beside a polygon "block" would share its name with the polygon's first edge.
@@ -150,8 +168,7 @@ class SceneReader {
             failAt(file_, listed.where,
                    fmt::format("[[light]] has no \"type\", {}", expectedOneOf({}, namesOf(kLightTypes))));
         }
-        DeltaLight light;
-        if (readNamed(file_, "type", *type, kLightTypes) == 1) light = DirectionalLight{};
+        auto light = alternative<DeltaLight>(readNamed(file_, "type", *type, kLightTypes));
         KeyReader keys{table};
         std::visit([&](auto& alternative) { keysOf(keys, alternative); }, light);
         table.finish();
@@ -162,40 +179,39 @@ class SceneReader {
         scene_.lights.push_back(light);
     }
 
-    static Geometry emptyGeometry(std::size_t kind) {
-        switch (kind) {
-            case 0:
-                return SegmentShape{};
-            case 1:
-                return PolylineShape{};
-            case 2:
-                return PolygonShape{};
-            case 3:
-                return BoxShape{};
-            case 4:
-                return CircleShape{};
-            default:
-                return ArcShape{};
-        }
+    void readEye(const TomlValue& value) {
+        if (std::holds_alternative<TomlArray>(value.data))
+            failAt(file_, value.where, "\"eye\" is an array, expected one table [eye]: a scene has one eye");
+        TableReader table(file_, readTable(file_, "eye", value), value.where, "[eye]");
+        EyeDescription eye;
+        KeyReader keys{table};
+        keysOf(keys, eye);
+        table.finish();
+        if (eye.direction == Vec2(0.0))
+            failAt(file_, table.at("direction").where,
+                   "\"direction\" is [0, 0], expected the direction that the eye looks in");
+        scene_.eye = eye;
     }
 
     std::string file_;
+    const SkyLoader& skyLoader_;
     SceneDescription scene_;
     std::uint64_t segments_ = 0;
-    std::unordered_set<std::string> materials_;
+    MaterialTable materials_;
     std::unordered_map<std::string, std::size_t> shapeOfName_;
     std::vector<TextPosition> nameAt_;  ///< parallel to the shapes; line 0 where there is no name
 };
 
 }  // namespace
 
-SceneDescription parseScene(std::string_view text, std::string_view fileName) {
+SceneDescription parseScene(std::string_view text, std::string_view fileName, const SkyLoader& skyLoader) {
     const std::string file(fileName);
-    return SceneReader(file).read(parseToml(text, file));
+    return SceneReader(file, skyLoader).read(parseToml(text, file));
 }
 
 SceneDescription loadScene(const std::filesystem::path& path) {
-    return parseScene(readTextFile(path), path.string());
+    const auto beside = [&](const std::string& image) { return readSky(path.parent_path() / image); };
+    return parseScene(readTextFile(path), path.string(), beside);
 }
 
 }  // namespace halfdisk

@@ -44,10 +44,12 @@ std::string toToml(const std::string& text) {
     return quoted + '"';
 }
 
-std::string toToml(const std::vector<Vec2>& points) {
+/// Points or colours, over as many lines as they need.
+template <class Element>
+std::string toToml(const std::vector<Element>& list) {
     std::string oneLine, lines, line;
-    for (const Vec2 point : points) {
-        const std::string text = toToml(point);
+    for (const Element& element : list) {
+        const std::string text = toToml(element);
         oneLine += (oneLine.empty() ? "" : ", ") + text;
         if (!line.empty() && line.size() + text.size() + 1 > kLineWidth) {
             lines += line + "\n";
@@ -68,18 +70,24 @@ std::string keyToToml(const std::string& key) {
     return !key.empty() && std::all_of(key.begin(), key.end(), isBare) ? key : toToml(key);
 }
 
+template <class Keys>
+std::string inlineTable(Keys&& keysOfTable);
+
 /// The writing end of scene_keys.h.
 struct KeyWriter {
     std::string& out;
+    std::string_view afterEach = "\n";
 
     template <class Field, class Rule>
     void required(std::string_view key, const Field& field, const Rule& rule) {
-        out += fmt::format("{} = {}\n", key, text(field, rule));
+        out += fmt::format("{} = {}{}", key, text(field, rule), afterEach);
     }
     template <class Field, class Rule>
     void optional(std::string_view key, const Field& field, const Field& fallback, const Rule& rule) {
         if (!(field == fallback)) required(key, field, rule);
     }
+    template <class Field, class Rule, class Map>
+    void synonym(std::string_view, std::string_view, const Field&, const Rule&, const Map&) {}
 
     template <class Field, class Rule>
     static std::string text(const Field& field, const Rule&) {
@@ -91,7 +99,30 @@ struct KeyWriter {
     static std::string text(Enum field, const std::array<Named<Enum>, Count>& names) {
         return toToml(std::string(nameOf(names, field)));
     }
+    static std::string text(Vec2 radii, CurvatureRule) {
+        return radii.x == radii.y ? toToml(radii.x) : toToml(radii);
+    }
+    static std::string text(const Diffuse& part, PartRule) { return toToml(part.albedo); }
+    static std::string text(const std::variant<Mirror, Glossy>& part, PartRule) {
+        if (const auto* mirror = std::get_if<Mirror>(&part)) return toToml(mirror->reflectance);
+        return inlineTable([&](KeyWriter& keys) { writeMaterial(keys, Material(std::get<Glossy>(part))); });
+    }
+
+    static void writeMaterial(KeyWriter& keys, Material material) {
+        keys.required("type", std::string(kMaterialTypes[material.index()].name), NameRule{});
+        std::visit([&](auto& alternative) { keysOf(keys, alternative); }, material);
+    }
 };
+
+template <class Keys>
+std::string inlineTable(Keys&& keysOfTable) {
+    constexpr std::string_view kComma = ", ";
+    std::string inside;
+    KeyWriter keys{inside, kComma};
+    keysOfTable(keys);
+    if (!inside.empty()) inside.erase(inside.size() - kComma.size());
+    return fmt::format("{{ {} }}", inside);
+}
 
 }  // namespace
 
@@ -102,15 +133,16 @@ std::string writeScene(const SceneDescription& description) {
     std::string out;
     KeyWriter keys{out};
     keys.optional("title", scene.title, std::string(), kTitleRule);
-    if (scene.environment != Rgb(0.0))
-        out += fmt::format("environment = {{ radiance = {} }}\n", toToml(scene.environment));
+    if (!scene.environment.image.empty()) scene.environment.light.strip.clear();
+    if (scene.environment != Sky{})
+        out += fmt::format("environment = {}\n",
+                           inlineTable([&](KeyWriter& inside) { keysOf(inside, scene.environment); }));
     const auto startTable = [&](const std::string& header) {
         out += (out.empty() ? "" : "\n") + header + "\n";
     };
     for (NamedMaterial& named : scene.materials) {
         startTable(fmt::format("[material.{}]", keyToToml(named.name)));
-        keys.required("type", std::string(kMaterialTypes[named.material.index()].name), NameRule{});
-        std::visit([&](auto& material) { keysOf(keys, material); }, named.material);
+        KeyWriter::writeMaterial(keys, named.material);
     }
     for (Shape& shape : scene.shapes) {
         startTable(fmt::format("[[{}]]", kShapeKinds[shape.geometry.index()]));
@@ -121,12 +153,16 @@ std::string writeScene(const SceneDescription& description) {
         keys.required("type", std::string(kLightTypes[light.index()].name), NameRule{});
         std::visit([&](auto& alternative) { keysOf(keys, alternative); }, light);
     }
+    if (scene.eye) {
+        startTable("[eye]");
+        keysOf(keys, *scene.eye);
+    }
     return out;
 }
 
 void saveScene(const SceneDescription& description, const std::filesystem::path& path) {
     const std::string text = writeScene(description);
-    parseScene(text, path.string());
+    parseScene(text, path.string(), [&](const std::string&) { return description.environment.light.strip; });
     writeFileAtomically(path, text);
 }
 

@@ -28,7 +28,8 @@ class TableReader {
 
     const std::string& file() const { return file_; }
     TextPosition where() const { return where_; }
-    /// The value of a key that is there, without asking for it.
+    /// Whether a key is there, and the value of one that is, without asking for it.
+    bool has(std::string_view key) const { return table_.find(key) != nullptr; }
     const TomlValue& at(std::string_view key) const { return table_.find(key)->value; }
 
  private:

@@ -1,4 +1,4 @@
-// How is a text file read without trusting its size or its kind?
+// How is a file read without trusting its size or its kind?
 #include "lessons/text_file.h"
 
 #include <fmt/format.h>
@@ -11,27 +11,28 @@
 namespace halfdisk {
 namespace {
 
-[[noreturn]] void refuseSize(const std::string& name, std::uintmax_t bytes) {
-    throw InputError(name, fmt::format("the file has {} bytes, expected at most {}", bytes, kMaxFileBytes));
+[[noreturn]] void refuseSize(const std::string& name, std::uintmax_t bytes, std::uintmax_t most) {
+    throw InputError(name, fmt::format("the file has {} bytes, expected at most {}", bytes, most));
 }
 
 }  // namespace
 
-std::string readTextFile(const std::filesystem::path& path) {
+std::string readFileOf(const std::filesystem::path& path, std::uintmax_t mostBytes,
+                       std::string_view expected) {
     const std::string name = path.string();
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path, error);
     if (status.type() == std::filesystem::file_type::not_found)
-        throw InputError(name, "there is no such file, expected a TOML file");
+        throw InputError(name, fmt::format("there is no such file, expected {}", expected));
     if (error) throw InputError(name, fmt::format("the file cannot be read: {}", error.message()));
     if (std::filesystem::is_directory(status))
-        throw InputError(name, "this is a directory, expected a TOML file");
+        throw InputError(name, fmt::format("this is a directory, expected {}", expected));
     // Devices and pipes have no size and may never end.
     if (!std::filesystem::is_regular_file(status))
-        throw InputError(name, "this is not a regular file, expected a TOML file");
+        throw InputError(name, fmt::format("this is not a regular file, expected {}", expected));
     const std::uintmax_t bytes = std::filesystem::file_size(path, error);
     if (error) throw InputError(name, fmt::format("the file cannot be read: {}", error.message()));
-    if (bytes > kMaxFileBytes) refuseSize(name, bytes);
+    if (bytes > mostBytes) refuseSize(name, bytes, mostBytes);
 
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(name, "the file cannot be opened for reading, expected read permission");
@@ -40,8 +41,12 @@ std::string readTextFile(const std::filesystem::path& path) {
     file.read(text.data(), static_cast<std::streamsize>(text.size()));
     if (file.bad()) throw InputError(name, "the file cannot be read to its end");
     text.resize(static_cast<std::size_t>(file.gcount()));
-    if (text.size() > kMaxFileBytes) refuseSize(name, text.size());
+    if (text.size() > mostBytes) refuseSize(name, text.size(), mostBytes);
     return text;
+}
+
+std::string readTextFile(const std::filesystem::path& path) {
+    return readFileOf(path, kMaxFileBytes, "a TOML file");
 }
 
 }  // namespace halfdisk

@@ -70,14 +70,13 @@ std::uint64_t readWhole(const std::string& file, std::string_view key, const Tom
     return static_cast<std::uint64_t>(*whole);
 }
 
-Vec2 readPoint(const std::string& file, std::string_view key, const TomlValue& value,
-               const NumberRule& rule) {
+Vec2 readPoint(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule,
+               std::string_view expected) {
     const auto* pair = std::get_if<TomlArray>(&value.data);
-    if (pair == nullptr) wrongType(file, key, value, "two numbers [x, y]");
+    if (pair == nullptr) wrongType(file, key, value, expected);
     if (pair->size() != 2)
-        failAt(
-            file, value.where,
-            fmt::format("\"{}\" has {} elements, expected two numbers [x, y]", excerpt(key), pair->size()));
+        failAt(file, value.where,
+               fmt::format("\"{}\" has {} elements, expected {}", excerpt(key), pair->size(), expected));
     return {readNumber(file, key, (*pair)[0], rule), readNumber(file, key, (*pair)[1], rule)};
 }
 

@@ -41,7 +41,8 @@ double readNumber(const std::string& file, std::string_view key, const TomlValue
                   const NumberRule& rule);
 std::uint64_t readWhole(const std::string& file, std::string_view key, const TomlValue& value,
                         const WholeRule& rule);
-Vec2 readPoint(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule);
+Vec2 readPoint(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule,
+               std::string_view expected = "two numbers [x, y]");
 /// One number for all channels, or three.
 Rgb readColour(const std::string& file, std::string_view key, const TomlValue& value, const NumberRule& rule);
 std::string readText(const std::string& file, std::string_view key, const TomlValue& value,

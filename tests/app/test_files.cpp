@@ -129,7 +129,7 @@ TEST_CASE("a changed scene reloads, too, and its light is computed anew") {
     files.write("scenes/field.toml", replaced(original, "b = [3.0, 0.0]", "b = [0.0, 0.0]"));
     CHECK(look(watch, rig));
     CHECK(rig.state().banner.find("field.toml") != std::string::npos);
-    CHECK(rig.state().scene->scene.environment.x == 2.0);
+    CHECK(rig.state().scene->scene.environment.radiance.x == 2.0);
     CHECK(rig.state().answer->exact->x == doctest::Approx(4.0));
 }
 

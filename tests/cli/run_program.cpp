@@ -78,6 +78,10 @@ std::string sceneFile(const std::string& name) {
     return std::string(HALFDISK_CLI_SCENES) + "/" + name;
 }
 
+std::string shippedScene(const std::string& name) {
+    return std::string(HALFDISK_SHIPPED_SCENES) + "/" + name;
+}
+
 std::string readFile(const std::filesystem::path& path) {
     std::ostringstream text;
     text << std::ifstream(path, std::ios::binary).rdbuf();

@@ -21,6 +21,9 @@ Outcome runProgramInto(const std::string& device, const std::vector<std::string>
 /// Path of a file in tests/cli/scenes.
 std::string sceneFile(const std::string& name);
 
+/// Path of a scene file that comes with the lessons.
+std::string shippedScene(const std::string& name);
+
 std::string readFile(const std::filesystem::path& path);
 
 /// A new empty folder, removed at the end.

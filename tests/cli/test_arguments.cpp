@@ -84,9 +84,8 @@ TEST_CASE("names of closed sets, with the nearest one suggested") {
     CHECK(namedArgument("--sampler", "cosine", kSamplers) == Sampler::cosine);
     const std::string message = messageOf([] { namedArgument("--sampler", "cosin", kSamplers); });
     CHECK(message ==
-          "--sampler: 'cosin' is unknown, expected one of \"uniform\", \"cosine\" or \"stratified\"; did you "
-          "mean "
-          "\"cosine\"?");
+          "--sampler: 'cosin' is unknown, expected one of \"uniform\", \"cosine\", \"stratified\" or "
+          "\"lobe\"; did you mean \"cosine\"?");
 }
 
 TEST_CASE("every defect is understood by its name, alone and in a list") {

@@ -41,6 +41,10 @@ TEST_CASE("every command has its help, with examples") {
                                                     {"screenshot"},
                                                     {"tour"},
                                                     {"probe"},
+                                                    {"eye"},
+                                                    {"profile"},
+                                                    {"field"},
+                                                    {"estimators"},
                                                     {"scene"},
                                                     {"scene", "check"},
                                                     {"scene", "write"}}) {
@@ -87,7 +91,7 @@ TEST_CASE("scene check counts what is in the file") {
     CHECK(counts["title"] == "Room");
     CHECK(counts["segments"] == 4 + 4 + 12 + 3 + 2 + 1);
     CHECK(counts["segmentsByShape"].dump() ==
-          R"({"segment":1,"polyline":2,"polygon":4,"box":4,"circle":12,"arc":3})");
+          R"({"segment":1,"polyline":2,"polygon":4,"box":4,"circle":12,"arc":3,"lens":0})");
     CHECK(counts["materials"] == 2);  // red, and the default
     CHECK(counts["lights"].dump() == R"({"point":1,"directional":1})");
     CHECK(counts["emitters"] == 1);

@@ -1,28 +1,18 @@
 // Does every mistake on the command line end with exit code 2 and one clear line?
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <string>
 
+#include "refusals.h"
 #include "run_program.h"
 
+using halfdisk_test::checkRefused;
 using halfdisk_test::Outcome;
 using halfdisk_test::runProgram;
 using halfdisk_test::runProgramInto;
 using halfdisk_test::sceneFile;
 
 namespace {
-
-void checkRefused(const std::vector<std::string>& arguments, const std::string& message) {
-    std::string command;
-    for (const std::string& argument : arguments) command += " " + argument;
-    CAPTURE(command);
-    const Outcome outcome = runProgram(arguments);
-    CHECK(outcome.exitCode == 2);
-    CHECK(outcome.out == "");
-    CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 1);
-    CHECK_MESSAGE(outcome.err.find(message) != std::string::npos, outcome.err);
-}
 
 /// `options` after a probe of the floor that would work.
 void checkProbeRefused(std::vector<std::string> options, const std::string& message) {
@@ -77,7 +67,7 @@ TEST_CASE("refused: values of the probe") {
     checkProbeRefused({"--threads", "257"},
                       "halfdisk: --threads: '257' is not a whole number from 1 to 256\n");
     checkProbeRefused({"--estimator", "photon"},
-                      "halfdisk: --estimator: 'photon' is unknown, expected \"cast-ray\"\n");
+                      "halfdisk: --estimator: 'photon' is unknown, expected one of \"cast-ray\", \"path\"");
     checkProbeRefused({"--sampler", "cosin"}, "did you mean \"cosine\"?\n");
     checkProbeRefused({"--emitters", "never"}, "expected one of \"sample\", \"hit\" or \"both\"\n");
     checkProbeRefused({"--as-printed=frame,bogus"},

@@ -56,7 +56,7 @@ std::vector<Vec2> furnacePolygon() {
 
 Scene mixedRoom() {
     Scene scene;
-    scene.environment = {0.2, 0.3, 0.4};
+    scene.environment = Rgb(0.2, 0.3, 0.4);
     addWall(scene, {-2.0, 0.0}, {2.0, 0.0}, {0.7, 0.5, 0.3});
     addWall(scene, {0.5, 2.0}, {-0.5, 2.0}, Rgb(0.2), {3.0, 2.0, 1.0});
     addWall(scene, {-1.0, 0.4}, {-0.3, 0.9}, {0.3, 0.6, 0.9}, Rgb(0.0), true);

@@ -77,7 +77,7 @@ TEST_CASE("castRay: depth is E at D and L at D + 1") {
 
 TEST_CASE("castRay: a miss returns the environment, at any depth of the recursion") {
     Scene scene;
-    scene.environment = {1.0, 2.0, 3.0};
+    scene.environment = Rgb(1.0, 2.0, 3.0);
     const SegmentIndex empty(scene);
     const ShadedPoint free = {{0.0, 0.0}, {0.6, 0.8}};
     const Irradiance E = gather(empty, free, settingsOf(4, 2, Sampler::cosine, Emitters::sample));

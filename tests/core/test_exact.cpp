@@ -31,8 +31,9 @@ Rgb byRays(const SegmentIndex& index, const ShadedPoint& at, int rays) {
     const Frame frame = frameFromNormal(at.N);
     for (int i = 0; i < rays; ++i) {
         const double theta = kPi * (i + 0.5) / rays;
-        const Hit hit = index.closestHit(rayFrom(index, at, frame.toWorld(std::cos(theta), std::sin(theta))));
-        const Rgb L = !hit                    ? index.environment()
+        const Vec2 direction = frame.toWorld(std::cos(theta), std::sin(theta));
+        const Hit hit = index.closestHit(rayFrom(index, at, direction));
+        const Rgb L = !hit                    ? index.environment(direction)
                       : isLitSide(index, hit) ? index.scene().segments[hit.segment].emission
                                               : Rgb(0.0);
         sum += L * std::sin(theta) * kPi / static_cast<double>(rays);
@@ -116,7 +117,7 @@ TEST_CASE("exact: direct light in random scenes equals 200 000 rays") {
     Random random(2);
     for (int i = 0; i < 40; ++i) {
         Scene scene;
-        scene.environment = {0.3, 0.2, 0.1};
+        scene.environment = Rgb(0.3, 0.2, 0.1);
         for (int k = 0; k < 8; ++k) {  // walls cross each other
             const Vec2 a = random.pointIn(-1.0, 1.0);
             const Rgb emission = k % 2 == 0 ? Rgb(1.0, 0.5, 0.0) : Rgb(0.0, 0.1 * k, 1.0);

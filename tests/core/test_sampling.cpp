@@ -88,7 +88,7 @@ TEST_CASE("sampling: the pdf returned with a sample is the pdf of its angle") {
         for (const auto& [sampler, name, meaning] : kSamplers) {
             const auto [theta, pdfAngle] = sampleHalfDisk(sampler, u, 3, 8);
             const double pdf =
-                sampler == Sampler::cosine ? pdfCosineHalfDisk(theta) : pdfUniformHalfDisk(theta);
+                sampler == Sampler::cosine || sampler == Sampler::lobe ? pdfCosineHalfDisk(theta) : pdfUniformHalfDisk(theta);
             REQUIRE(pdfAngle == doctest::Approx(pdf).epsilon(1e-14));
             REQUIRE(pdfAngle == doctest::Approx(pdfHalfDisk(sampler, std::sin(theta))).epsilon(1e-14));
         }

@@ -4,12 +4,14 @@
 #include <stdlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
 
 #include "lessons/lesson_file.h"
 #include "lessons/scene_file.h"
+#include "lessons/sky_image.h"
 
 /// Ends the process with a message: the sign of a fault that a fuzzer understands.
 inline void require(bool holds, const char* what) {
@@ -23,11 +25,21 @@ inline void checkWalls(const halfdisk::Scene& scene) {
     require(scene.segments.size() == scene.segmentNames.size(), "one name for each wall");
     for (const halfdisk::Segment& s : scene.segments) {
         require(s.material < scene.materials.size(), "each wall has a material");
-        require(halfdisk::isFinite(halfdisk::frontNormal(s)), "each wall has a front");
+        const halfdisk::Vec2 front = halfdisk::frontNormal(s);
+        require(halfdisk::isFinite(front), "each wall has a front");
+        if (!halfdisk::isSmooth(s)) continue;
+        for (const halfdisk::Vec2 normal : {s.normalA, s.normalB, s.normalA + s.normalB})
+            require(glm::dot(normal, front) > 0.0, "normals of smooth walls are on the front side");
     }
     std::vector<std::string> names = scene.segmentNames;
     std::sort(names.begin(), names.end());
     require(std::adjacent_find(names.begin(), names.end()) == names.end(), "no two walls have one name");
+}
+
+/// Stands for the file system: a picture has as many columns as its name has bytes, "none.png" is missing.
+inline std::vector<halfdisk::Rgb> fakeSky(const std::string& image) {
+    if (image == "none.png") throw halfdisk::InputError(image, "there is no such file");
+    return std::vector<halfdisk::Rgb>(image.size(), halfdisk::Rgb(0.25, 0.5, 1.0));
 }
 
 /// Only InputError escapes; an accepted scene is written and read again as equal, and its walls are sound.
@@ -35,15 +47,21 @@ inline void checkWalls(const halfdisk::Scene& scene) {
 inline bool checkSceneText(std::string_view text) {
     halfdisk::SceneDescription scene;
     try {
-        scene = halfdisk::parseScene(text, "fuzz.toml");
+        scene = halfdisk::parseScene(text, "fuzz.toml", fakeSky);
     } catch (const halfdisk::InputError& error) {
         require(error.line >= 1 && error.column >= 1, "an error of a text has a place");
         require(!error.text.empty(), "an error says something");
         return false;
     }
-    checkWalls(halfdisk::expandScene(scene));
+    const halfdisk::Scene expanded = halfdisk::expandScene(scene);
+    checkWalls(expanded);
+    require(expanded.environment.strip.size() <= halfdisk::kMostStripEntries, "a strip has its limit");
+    if (expanded.eye)
+        require(std::abs(glm::length(expanded.eye->direction) - 1.0) < 1e-12 && expanded.eye->fov > 0.0 &&
+                    expanded.eye->fov < halfdisk::kPi,
+                "an eye looks somewhere");
     const std::string written = halfdisk::writeScene(scene);
-    const halfdisk::SceneDescription again = halfdisk::parseScene(written, "written.toml");
+    const halfdisk::SceneDescription again = halfdisk::parseScene(written, "written.toml", fakeSky);
     require(again == scene, "what is written reads back equal");
     require(halfdisk::writeScene(again) == written, "what is read back is written with equal bytes");
     return true;

@@ -61,6 +61,7 @@ TEST_CASE("damaged scenes are refused or sound") {
     const std::filesystem::path corpus = std::filesystem::path(LOADER_DATA) / "../corpus/scene";
     checkMutants(readAll(corpus / "everything.toml"), checkSceneText);
     checkMutants(readAll(corpus / "corner.toml"), checkSceneText);
+    checkMutants(readAll(corpus / "optics.toml"), checkSceneText);
 }
 
 TEST_CASE("damaged lessons are refused or sound") {

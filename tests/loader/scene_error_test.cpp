@@ -37,7 +37,7 @@ TEST_CASE("unknown keys are named, with what is allowed and what was meant") {
         {"[[box]]\nmin = [0, 0]\nmax = [1, 1]\n^radius = 1",
          {"unknown key \"radius\" in [[box]]", "\"facing\""}},
         {"environment = { ^radiane = 1 }",
-         {"unknown key \"radiane\" in environment", "expected \"radiance\""}},
+         {"unknown key \"radiane\" in environment", "did you mean \"radiance\"?"}},
         {"[material.white]\n^colour = 1", {"unknown key \"colour\" in [material.white]", "\"albedo\""}},
         {"[[light]]\ntype = \"point\"\nposition = [0, 0]\n^irradiance = 1", {"unknown key \"irradiance\""}},
         {"[[segment]]\na = [0, 0]\nb = [1, 0]\n[segment.^more]\nx = 1", {"unknown key \"more\""}},
@@ -150,7 +150,7 @@ TEST_CASE("names are checked") {
          {"no material \"whte\"", "\"white\" or \"default\"", "did you mean \"white\"?"}},
         {"[[segment]]\na = [0, 0]\nb = [1, 0]\nmaterial = ^\"white\"",
          {"no material \"white\"", "expected \"default\""}},
-        {"[material.m]\ntype = ^\"difuse\"", {"\"type\" is \"difuse\"", "expected \"diffuse\""}},
+        {"[material.m]\ntype = ^\"difuse\"", {"\"type\" is \"difuse\"", "did you mean \"diffuse\"?"}},
         {"[[light]]\ntype = ^\"spot\"", {"\"type\" is \"spot\"", "\"point\" or \"directional\""}},
         {"[[box]]\nmin = [0, 0]\nmax = [1, 1]\nfacing = ^\"inn\"",
          {"\"out\" or \"in\"", "did you mean \"in\"?"}},
@@ -200,6 +200,24 @@ TEST_CASE("missing keys are told at their table") {
         {"[[segment]]\na = [0, 0]\nb = [1, 0]\n^[[segment]]\nb = [1, 0]", {"has no \"a\""}},
         {"segment = [{ a = [0, 0], b = [1, 0] }, ^{ a = [0, 0] }]", {"has no \"b\""}},
     });
+}
+
+TEST_CASE("an eye is checked") {
+    const std::string eye = "[eye]\nposition = [0, 0]\n";
+    const auto check = [](const std::string& text, std::initializer_list<std::string_view> said) {
+        checkScenes({{text, said}});
+    };
+    check("^[eye]\ndirection = [1, 0]", {"[eye] has no \"position\""});
+    check("^" + eye, {"[eye] has no \"direction\""});
+    check(eye + "direction = ^[0, 0.0]", {"\"direction\" is [0, 0]", "the direction that the eye looks in"});
+    check(eye + "direction = [^nan, 0]", {"\"direction\" is nan"});
+    check(eye + "direction = [1, 0]\nfov = ^0", {"\"fov\" is 0", "above 0, at most 179"});
+    check(eye + "direction = [1, 0]\nfov = ^-90", {"\"fov\" is -90"});
+    check(eye + "direction = [1, 0]\nfov = ^179.01", {"\"fov\" is 179.01", "at most 179"});
+    check(eye + "direction = [1, 0]\n^fow = 90", {"unknown key \"fow\" in [eye]", "did you mean \"fov\"?"});
+    check("^[[eye]]\nposition = [0, 0]\ndirection = [1, 0]", {"\"eye\" is an array", "a scene has one eye"});
+    check(eye + "direction = [1, 0]\n^[eye]\nposition = [1, 1]", {"not valid TOML"});
+    check("eye = ^3", {"\"eye\" is a whole number", "expected a table"});
 }
 
 TEST_CASE("text that is no TOML is refused") {

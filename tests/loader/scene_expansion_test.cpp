@@ -152,7 +152,9 @@ TEST_CASE("counting costs nothing and agrees with the walls made") {
     for (const Geometry& shape : std::initializer_list<Geometry>{
              SegmentShape{{0, 0}, {1, 0}}, PolylineShape{{{0, 0}, {1, 0}, {1, 1}}},
              PolygonShape{{{0, 0}, {1, 0}, {1, 1}}}, BoxShape{{0, 0}, {1, 1}, Facing::in},
-             CircleShape{{0, 0}, 1, 17, Facing::in}, ArcShape{{0, 0}, 1, 0, 50, 17, Facing::in}})
+             CircleShape{{0, 0}, 1, 17, Facing::in}, ArcShape{{0, 0}, 1, 0, 50, 17, Facing::in},
+             LensShape{{0, 0}, {1, 0}, 1, 0.5, {1, -1}, 17}, LensShape{{0, 0}, {1, 0}, 1, 0.5, {1, 0}, 17},
+             LensShape{{0, 0}, {1, 0}, 2, 2, {1, 1}, 17}})
         CHECK(edgeCount(shape) == edgesOf(shape).size());
 }
 
@@ -206,6 +208,21 @@ direction = [3e-200, -4e-200]
     const auto& sun = std::get<DirectionalLight>(scene.lights.at(0));
     CHECK(sun.direction.x == doctest::Approx(0.6));
     CHECK(sun.direction.y == doctest::Approx(-0.8));
+}
+
+TEST_CASE("an eye looks along a unit vector, and its field of view is in radians") {
+    CHECK_FALSE(expandScene({}).eye.has_value());
+    const auto eyeOf = [](std::string_view keys) {
+        return expandScene(parseScene("[eye]\nposition = [1, 2]\n" + std::string(keys), "x")).eye.value();
+    };
+    const Eye eye = eyeOf("direction = [-1e30, 1e-30]");
+    CHECK(eye.position == Vec2(1, 2));
+    CHECK(eye.direction.x == -1.0);
+    CHECK(std::abs(eye.direction.y * 1e60 - 1.0) < 1e-12);
+    CHECK(eye.fov == doctest::Approx(kPi / 2).epsilon(1e-15));
+    const Eye other = eyeOf("direction = [3, 4]\nfov = 60");
+    CHECK(glm::distance(other.direction, Vec2(0.6, 0.8)) < 1e-15);
+    CHECK(other.fov == doctest::Approx(kPi / 3).epsilon(1e-15));
 }
 
 TEST_CASE("a file may define the default material itself") {

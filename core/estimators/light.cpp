@@ -1,0 +1,156 @@
+// Estimator `light`: paths forward from the lights, counted where they arrive.
+//
+// Forward tracing, also called light or particle tracing (Dutre, Lafortune & Willems 1993): on a profile's
+// walls the power that arrives is counted, in a field the length that light flies through each cell; an eye
+// or a point is never met by chance, so every wall that the light meets is connected to it.
+#include "core/estimators/all.h"
+#include "core/estimators/light_paths.h"
+#include "core/estimators/params.h"
+#include "core/field_cells.h"
+#include "core/walk.h"
+
+namespace halfdisk {
+namespace {
+
+enum Param { kPaths, kSpread, kRoulette };
+
+constexpr std::array kParams{
+    ParamInfo{.name = "paths",
+              .meaning = "light paths of one pass; 0: as many as there are pixels",
+              .most = 1e7,
+              .whole = true},
+    kSpreadParam,
+    kRouletteParam,
+};
+
+struct LightVisitor : WalkVisitor {
+    const Problem& problem;
+    const std::optional<Receiver>& receiver;
+    const std::optional<ProfileBins>& bins;
+    const Field* field;
+    Picture& picture;
+    Counts& counts;
+
+    LightVisitor(const Problem& asked, const std::optional<Receiver>& point,
+                 const std::optional<ProfileBins>& walls, Picture& sums, Counts& spent)
+        : problem(asked),
+          receiver(point),
+          bins(walls),
+          field(std::get_if<Field>(&asked.sensor)),
+          picture(sums),
+          counts(spent) {}
+
+    void fly(const Ray& ray, double distance, const Rgb& power, std::uint32_t) {
+        if (!field) return;
+        const Vec2 cell = (field->max - field->min) / Vec2(field->width, field->height);
+        const double area = cell.x * cell.y;
+        forCells(*field, ray, distance, [&](std::uint32_t pixel, double from, double to) {
+            addTo(picture, pixel, power * flown(ray.medium, from, to) / area, counts);
+        });
+    }
+
+    // Metres flown between two places of a flight, less what a medium takes on the way there and between.
+    Rgb flown(std::uint32_t medium, double from, double to) const {
+        if (medium == kNoMedium) return Rgb(to - from);
+        const Rgb& absorption = std::get<Dielectric>(problem.index.scene().materials[medium]).absorption;
+        Rgb metres;
+        for (int c = 0; c < 3; ++c)
+            metres[c] = absorption[c] > 0.0 ? -std::exp(-absorption[c] * from) *
+                                                  std::expm1(-absorption[c] * (to - from)) / absorption[c]
+                                            : to - from;
+        return metres;
+    }
+
+    bool arrive(const Arrival& here) {
+        if (bins && here.at.front)
+            if (const auto place = bins->at(here.hit.segment, here.hit.u))
+                addTo(picture, place->bin, here.throughput / place->length, counts);
+        if (receiver && !isSpecular(*here.at.material)) connectTo(here);
+        return true;
+    }
+
+    void connectTo(const Arrival& here) {
+        const Connection way = connect(problem.index, here.at, *receiver, counts);
+        if (way.passed == Rgb(0.0)) return;
+        const double geometry = glm::dot(here.at.N, way.toReceiver) / way.distance;
+        addTo(picture, way.response.pixel,
+              here.throughput * evalSurface(here.at, here.at.from, way.toReceiver) * way.passed *
+                  (geometry * way.response.weight),
+              counts);
+    }
+};
+
+class LightEstimator : public Estimator {
+ public:
+    LightEstimator(const Problem& problem, const ParamValues& params)
+        : problem_(problem),
+          lights_(problem.index, placesOf(problem.sensor)),
+          receiver_(fixedReceiver(problem.sensor, problem.index)),
+          paths_(params[kPaths] > 0.0 ? as<std::uint32_t>(params[kPaths]) : pixelCount(problem.sensor)),
+          spread_(as<Spread>(params[kSpread])),
+          limits_{problem.maxDepth, problem.maxSpecular, as<std::uint32_t>(params[kRoulette])} {
+        if (const auto* profile = std::get_if<Profile>(&problem.sensor))
+            bins_.emplace(*profile, problem.index);
+        // A wall that is connected to a point scatters once more.
+        if (std::holds_alternative<Probe>(problem.sensor)) endsBelow_ = problem.maxDepth == 0;
+        if (std::holds_alternative<Probe>(problem.sensor) && problem.maxDepth > 0) --limits_.scatterings;
+    }
+
+    double workPerPass() const override { return paths_; }
+
+    void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
+        const Rng ofPass(problem_.seed, pass);
+        for (std::uint32_t path = 0; receiver_ && path < paths_; ++path)
+            askLight(ofPass.child(path), picture, counts);
+        if (endsBelow_) return;
+        LightVisitor visitor(problem_, receiver_, bins_, picture, counts);
+        sendLight(lights_, paths_, spread_, limits_, ofPass, counts, visitor);
+    }
+
+ private:
+    // The path of no wall: from the light straight to the point. An eye does not see a light that has no
+    // size.
+    void askLight(const Rng& rng, Picture& picture, Counts& counts) const {
+        const DrawnLight light = drawLight(lights_, *receiver_, rng.uniform(draws::kStart, draws::kPick),
+                                           rng.uniform(draws::kStart, draws::kLight), counts);
+        if (light.L_i == Rgb(0.0) || (light.pdfAngle == 0.0 && !gathers(*receiver_))) return;
+        const Response response = responseTo(*receiver_, light.L);
+        addTo(picture, response.pixel, light.L_i * (response.weight / paths_), counts);
+    }
+
+    Problem problem_;
+    LightTable lights_;
+    std::optional<Receiver> receiver_;
+    std::optional<ProfileBins> bins_;
+    std::uint32_t paths_;
+    Spread spread_;
+    bool endsBelow_ = false;  // no wall may scatter: only light straight from its source counts
+    WalkLimits limits_;
+};
+
+// A point or a pinhole is connected from walls, never met: mirrors and glass can't be the last thing before
+// it.
+std::string paths(const Scene& scene, unsigned sensor) {
+    const SceneTraits traits = traitsOf(scene);
+    if ((sensor & (kProfileBit | kFieldBit)) || !traits.specular) return allPaths(scene);
+    return traits.scattering ? "L(S|D)*DE or LE" : "LE";
+}
+
+}  // namespace
+
+const EstimatorInfo kLightEstimator{
+    .id = "light",
+    .title = "Light tracing",
+    .meaning =
+        "paths forward from the lights: counted on walls and in the field, connected to an eye or a point",
+    .sensors = kProbeBit | kEyeBit | kProfileBit | kFieldBit,
+    .params = kParams,
+    .bias = {},
+    .paths = paths,
+    .refusal = nullptr,
+    .make = [](const Problem& problem, const ParamValues& params) -> std::unique_ptr<Estimator> {
+        return std::make_unique<LightEstimator>(problem, params);
+    },
+};
+
+}  // namespace halfdisk

@@ -1,0 +1,112 @@
+#include "patches.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace halfdisk {
+namespace {
+
+/// A lit side between two places where other walls stand on it.
+struct Stretch {
+    std::uint32_t segment;
+    bool front;
+    double from, to;  // u
+    double length;    // m
+};
+
+/// Places on a wall where other walls end on it or cross it, and its ends: ascending, from 0 to 1.
+std::vector<double> contactsOf(const Segment& wall, const std::vector<Vec2>& corners) {
+    constexpr double kOnWall = 1e-9;  // of the wall's length
+    const Vec2 edge = wall.b - wall.a;
+    const double squared = glm::dot(edge, edge);
+    std::vector<double> places{0.0, 1.0};
+    for (const Vec2& corner : corners) {
+        if (std::abs(cross(corner - wall.a, edge)) > kOnWall * squared) continue;
+        const double u = glm::dot(corner - wall.a, edge) / squared;
+        if (u > kOnWall && u < 1.0 - kOnWall) places.push_back(u);
+    }
+    std::sort(places.begin(), places.end());
+    const auto same = [](double u, double v) { return v - u <= kOnWall; };
+    places.erase(std::unique(places.begin(), places.end(), same), places.end());
+    return places;
+}
+
+std::vector<Stretch> stretchesOf(const Visibility& visibility) {
+    const SegmentIndex& index = visibility.index();
+    std::vector<Stretch> stretches;
+    for (std::uint32_t i = 0; i < index.scene().segments.size(); ++i) {
+        const Segment& wall = index.scene().segments[i];
+        const std::vector<double> contacts = contactsOf(wall, visibility.corners());
+        for (const bool front : {true, false}) {
+            if (!front && !wall.twoSided) continue;
+            for (std::size_t k = 0; k + 1 < contacts.size(); ++k)
+                stretches.push_back({i, front, contacts[k], contacts[k + 1],
+                                     index.length(i) * (contacts[k + 1] - contacts[k])});
+        }
+    }
+    return stretches;
+}
+
+// From so far in front of it (in shifts of an origin) a ray back to the patch tells whether it is what is met
+// there.
+constexpr double kLookingFrom = 1000.0;
+
+bool isHidden(const SegmentIndex& index, const Patch& patch) {
+    const Vec2 N = perp(patch.b - patch.a) / patch.length;
+    const Vec2 origin = (patch.a + patch.b) / 2.0 + N * (kLookingFrom * index.originShift(patch.segment));
+    return index.closestHit({origin, -N}).segment != patch.segment;
+}
+
+}  // namespace
+
+std::size_t litSides(const Scene& scene) {
+    std::size_t sides = scene.segments.size();
+    for (const Segment& wall : scene.segments) sides += wall.twoSided ? 1 : 0;
+    return sides;
+}
+
+Patches::Patches(const Visibility& visibility, std::uint32_t wanted) {
+    const SegmentIndex& index = visibility.index();
+    const std::vector<Stretch> stretches = stretchesOf(visibility);
+    if (stretches.size() > kMost)
+        throw std::invalid_argument("the walls touch at so many places that they take " +
+                                    std::to_string(stretches.size()) + " patches, expected at most " +
+                                    std::to_string(kMost));
+    double total = 0.0;
+    for (const Stretch& stretch : stretches) total += stretch.length;
+    const double spare = std::max(0.0, static_cast<double>(wanted) - static_cast<double>(stretches.size()));
+
+    sides_.assign(2 * index.scene().segments.size(), {0, 0});
+    for (const Stretch& stretch : stretches) {
+        const Segment& wall = index.scene().segments[stretch.segment];
+        const auto count = 1 + static_cast<std::size_t>(spare * stretch.length / total);
+        const auto uAt = [&](std::size_t k) {
+            return k == count ? stretch.to
+                              : stretch.from + (stretch.to - stretch.from) * static_cast<double>(k) /
+                                                   static_cast<double>(count);
+        };
+        const auto pointAt = [&](double u) { return u == 1.0 ? wall.b : wall.a + u * (wall.b - wall.a); };
+        Range& range = sides_[2 * stretch.segment + (stretch.front ? 0 : 1)];
+        if (range.first == range.end) range = {patches_.size(), patches_.size()};
+        for (std::size_t k = 0; k < count; ++k) {
+            const double from = uAt(k), to = uAt(k + 1);
+            Patch patch{pointAt(from), pointAt(to), stretch.segment, stretch.front, from, to};
+            if (!stretch.front) std::swap(patch.a, patch.b);
+            patch.length = glm::length(patch.b - patch.a);
+            patch.hidden = isHidden(index, patch);
+            patches_.push_back(patch);
+        }
+        range.end = patches_.size();
+    }
+}
+
+std::size_t Patches::at(std::uint32_t segment, bool front, double u) const {
+    const Range range = of(segment, front);
+    const auto begin = patches_.begin();
+    const auto after = std::upper_bound(begin + static_cast<std::ptrdiff_t>(range.first) + 1,
+                                        begin + static_cast<std::ptrdiff_t>(range.end), u,
+                                        [](double place, const Patch& patch) { return place < patch.uFrom; });
+    return static_cast<std::size_t>(after - begin) - 1;
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,182 @@
+#include "sensor.h"
+
+#include <algorithm>
+
+namespace halfdisk {
+namespace {
+
+double halfWidth(const Eye& eye) {
+    return std::tan(eye.fov / 2.0);
+}
+
+// Where a direction meets the film, -1 (left) ... 1 (right); empty behind the eye or beside it.
+std::optional<double> filmPlace(const Eye& eye, Vec2 direction) {
+    const double ahead = glm::dot(eye.direction, direction);
+    if (ahead <= 0.0) return std::nullopt;
+    const double place = -cross(eye.direction, direction) / (ahead * halfWidth(eye));
+    if (!(std::abs(place) < 1.0)) return std::nullopt;
+    return place;
+}
+
+Receiver onProfile(const Profile& profile, const SegmentIndex& index, std::uint32_t bin, double u) {
+    double total = 0.0;
+    for (const std::uint32_t segment : profile.segments) total += index.length(segment);
+    double along = (bin + u) / profile.bins * total;
+    for (std::size_t i = 0;; ++i) {
+        const std::uint32_t segment = profile.segments[i];
+        const double length = index.length(segment);
+        if (along > length && i + 1 < profile.segments.size()) {
+            along -= length;
+            continue;
+        }
+        ShadedPoint at{index.pointOn(segment, std::min(1.0, along / length)), index.normal(segment), segment};
+        return {.weighing = Weighing::cosine, .at = at, .pixel = bin};
+    }
+}
+
+Receiver inField(const Field& field, std::uint32_t pixel, double u, double v) {
+    const double x = (pixel % field.width + u) / field.width, y = (pixel / field.width + v) / field.height;
+    const Vec2 P{field.min.x + x * (field.max.x - field.min.x),
+                 field.max.y - y * (field.max.y - field.min.y)};
+    return {.weighing = Weighing::even, .at = {P, Vec2(0.0, 1.0)}, .pixel = pixel};
+}
+
+}  // namespace
+
+std::uint32_t pixelCount(const Sensor& sensor) {
+    return std::visit(Overload{[](const Probe&) { return 1u; }, [](const Look&) { return 1u; },
+                               [](const EyeStrip& strip) { return strip.width; },
+                               [](const Profile& profile) { return profile.bins; },
+                               [](const Field& field) { return field.width * field.height; }},
+                      sensor);
+}
+
+Receiver startOf(const Sensor& sensor, const SegmentIndex& index, std::uint32_t pixel, double u, double v) {
+    Receiver receiver =
+        std::visit(Overload{[](const Probe& probe) { return Receiver{.at = probe.at}; },
+                            [](const Look& look) {
+                                return Receiver{.weighing = Weighing::one,
+                                                .at = {look.position, look.direction},
+                                                .direction = look.direction};
+                            },
+                            [&](const EyeStrip& strip) {
+                                return Receiver{.weighing = Weighing::film,
+                                                .at = {strip.eye.position, strip.eye.direction},
+                                                .pixel = pixel,
+                                                .strip = &strip};
+                            },
+                            [&](const Profile& profile) { return onProfile(profile, index, pixel, u); },
+                            [&](const Field& field) { return inField(field, pixel, u, v); }},
+                   sensor);
+    const Vec2 P = receiver.at.segment == kNoSegment
+                       ? receiver.at.P
+                       : originOff(index, receiver.at.segment, receiver.at.P, receiver.at.N);
+    receiver.at.medium = mediumAt(index, P);
+    return receiver;
+}
+
+std::optional<Receiver> fixedReceiver(const Sensor& sensor, const SegmentIndex& index) {
+    if (!std::holds_alternative<Probe>(sensor) && !std::holds_alternative<EyeStrip>(sensor))
+        return std::nullopt;
+    return startOf(sensor, index, 0, 0.5, 0.5);
+}
+
+Response responseTo(const Receiver& receiver, Vec2 direction) {
+    switch (receiver.weighing) {
+        case Weighing::cosine:
+            return {receiver.pixel, std::max(0.0, glm::dot(receiver.at.N, direction))};
+        case Weighing::even:
+            return {receiver.pixel, 1.0};
+        case Weighing::one:
+            return {};
+        case Weighing::film:
+            break;
+    }
+    // x = tan(angle) / tan(fov / 2) on the film, so dx = d angle / (cos^2(angle) tan(fov / 2)); a pixel is 2
+    // / width wide.
+    const EyeStrip& strip = *receiver.strip;
+    const auto place = filmPlace(strip.eye, direction);
+    if (!place) return {};
+    const double across = (*place + 1.0) / 2.0 * strip.width;
+    const double cosine = glm::dot(strip.eye.direction, direction);
+    return {std::min(static_cast<std::uint32_t>(across), strip.width - 1),
+            strip.width / (2.0 * cosine * cosine * halfWidth(strip.eye))};
+}
+
+Sight sightFrom(const Receiver& receiver, const SegmentIndex& index, double u) {
+    switch (receiver.weighing) {
+        case Weighing::cosine: {
+            const Scattered way = sampleDiffuse({Rgb(1.0)}, receiver.at.N, u);
+            return {rayFrom(index, receiver.at, way.direction, way.pdfAngle), 2.0};
+        }
+        case Weighing::even: {
+            const Vec2 direction{std::cos(2.0 * kPi * u), std::sin(2.0 * kPi * u)};
+            return {rayFrom(index, receiver.at, direction, 1.0 / (2.0 * kPi)), 2.0 * kPi};
+        }
+        case Weighing::film: {
+            const Eye& eye = receiver.strip->eye;
+            const double place = 2.0 * (receiver.pixel + u) / receiver.strip->width - 1.0;
+            const Vec2 right{eye.direction.y, -eye.direction.x};
+            const Vec2 direction = glm::normalize(eye.direction + place * halfWidth(eye) * right);
+            return {rayFrom(index, receiver.at, direction), 1.0};
+        }
+        case Weighing::one:
+            break;
+    }
+    return {rayFrom(index, receiver.at, receiver.direction), 1.0};
+}
+
+double pdfSight(const Receiver& receiver, Vec2 direction) {
+    if (receiver.weighing == Weighing::cosine) return pdfDiffuse(receiver.at.N, direction);
+    return receiver.weighing == Weighing::even ? 1.0 / (2.0 * kPi) : 0.0;
+}
+
+ProfileBins::ProfileBins(const Profile& profile, const SegmentIndex& index) : bins_(profile.bins) {
+    startOfSegment_.assign(index.scene().segments.size(), -1.0);
+    length_.assign(index.scene().segments.size(), 0.0);
+    double total = 0.0;
+    for (const std::uint32_t segment : profile.segments) {
+        startOfSegment_[segment] = total;
+        length_[segment] = index.length(segment);
+        total += length_[segment];
+    }
+    binLength_ = total / bins_;
+}
+
+std::optional<BinPlace> ProfileBins::at(std::uint32_t segment, double u) const {
+    if (startOfSegment_[segment] < 0.0) return std::nullopt;
+    const double along = (startOfSegment_[segment] + u * length_[segment]) / binLength_;
+    return BinPlace{std::min(static_cast<std::uint32_t>(along), bins_ - 1), binLength_};
+}
+
+std::vector<Vec2> placesOf(const Sensor& sensor) {
+    return std::visit(Overload{[](const Probe& probe) { return std::vector{probe.at.P}; },
+                               [](const Look& look) { return std::vector{look.position}; },
+                               [](const EyeStrip& strip) { return std::vector{strip.eye.position}; },
+                               [](const Profile&) { return std::vector<Vec2>{}; },
+                               [](const Field& field) {
+                                   return std::vector{field.min, field.max};
+                               }},
+                      sensor);
+}
+
+std::string faultOf(const Sensor& sensor, const SegmentIndex& index) {
+    if (pixelCount(sensor) == 0) return "the sensor has no pixels";
+    if (const auto* profile = std::get_if<Profile>(&sensor)) {
+        if (profile->segments.empty()) return "the profile names no wall";
+        std::vector<std::uint32_t> sorted = profile->segments;
+        std::sort(sorted.begin(), sorted.end());
+        if (sorted.back() >= index.scene().segments.size())
+            return "the profile names a wall that does not exist";
+        if (std::adjacent_find(sorted.begin(), sorted.end()) != sorted.end())
+            return "the profile names a wall twice";
+    }
+    if (const auto* field = std::get_if<Field>(&sensor))
+        if (!(field->min.x < field->max.x && field->min.y < field->max.y)) return "the field has no area";
+    if (const auto* strip = std::get_if<EyeStrip>(&sensor))
+        if (!(strip->eye.fov > 0.0 && strip->eye.fov < kPi))
+            return "the eye's field of view is not between 0 and 180 degrees";
+    return {};
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,123 @@
+// Does Ctrl-C keep what is done, and does the bar of progress stay off pipes?
+#include <doctest/doctest.h>
+
+#include <csignal>
+
+#include "app/estimator_arguments.h"
+#include "app/measurement.h"
+#include "app/progress_bar.h"
+#include "lessons/scene_file.h"
+#include "result_files.h"
+#include "running_program.h"
+
+using namespace halfdisk_test;
+
+namespace {
+
+constexpr double kBusySeconds = 0.1;
+
+/// A run that would take ten minutes is told to stop; its file must hold what was done until then.
+void checkStops(int signal) {
+    const TemporaryFolder folder;
+    const std::string file = folder / "a.json";
+    RunningProgram program(
+        {"eye", sceneFile("seen_room.toml"), "--width", "16", "--seconds", "600", "-o", file});
+    REQUIRE(program.waitUntilBusy(kBusySeconds));
+    program.signal(signal);
+    const Outcome outcome = program.waitForEnd();
+    CHECK(outcome.exitCode == 130);
+    const Json result = readJson(file);
+    const std::uint64_t samples = result["samples"];
+    CHECK(samples > 0);
+    CHECK(result["mean"].size() == 16);
+    const std::string told = "halfdisk: stopped after " + std::to_string(samples) + " samples in ";
+    CHECK_MESSAGE(outcome.err.rfind(told, 0) == 0, outcome.err);
+    CHECK(outcome.err.find(" of 600 s; written\n") != std::string::npos);
+    CHECK(outcome.out.find("written: ") != std::string::npos);
+    // What is in the file is no half of a picture: as many samples give it again.
+    const std::string again = folder / "again.json";
+    REQUIRE(runProgram({"eye", sceneFile("seen_room.toml"), "--width", "16", "--samples",
+                        std::to_string(samples), "-o", again})
+                .exitCode == 0);
+    CHECK(withoutSeconds(again) == withoutSeconds(file));
+}
+
+}  // namespace
+
+TEST_CASE("Ctrl-C and SIGTERM write what is done, say how far it got, and end with 130") {
+    checkStops(SIGINT);
+    checkStops(SIGTERM);
+}
+
+TEST_CASE("stopped within a number of samples, both numbers are told") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "a.csv";
+    RunningProgram program(
+        {"eye", sceneFile("seen_room.toml"), "--width", "16", "--samples", "1e9", "-o", file});
+    REQUIRE(program.waitUntilBusy(kBusySeconds));
+    program.signal(SIGINT);
+    const Outcome outcome = program.waitForEnd();
+    CHECK(outcome.exitCode == 130);
+    CHECK(outcome.err ==
+          "halfdisk: stopped after " + readCsv(file).facts["samples"] + " of 1000000000 samples; written\n");
+}
+
+TEST_CASE("a second signal ends the program at once, and nothing is written") {
+    const TemporaryFolder folder;
+    // One sample of this takes minutes.
+    RunningProgram program({"eye", sceneFile("seen_room.toml"), "--width", "16", "--estimator", "cast-ray",
+                            "--param", "samples=31000", "-o", folder / "a.png"});
+    REQUIRE(program.waitUntilBusy(kBusySeconds));
+    program.signal(SIGINT);
+    REQUIRE(program.waitUntilSecondSignalEnds());
+    program.signal(SIGTERM);
+    CHECK(program.waitForEnd().exitCode == 128 + SIGTERM);
+    CHECK(std::filesystem::is_empty(folder.path));
+}
+
+TEST_CASE("stopped before the first sample, nothing is measured") {
+    const halfdisk::Scene scene = halfdisk::expandScene(halfdisk::loadScene(sceneFile("seen_room.toml")));
+    const halfdisk::SegmentIndex index(scene);
+    const halfdisk::Sensor sensor = halfdisk::EyeStrip{*scene.eye, 4};
+    const halfdisk::EstimatorInfo& path = halfdisk::estimatorArgument("path");
+    halfdisk::MeasureLimits limits;
+    limits.passes = 10;
+    const auto measured = [&](const std::function<bool()>& stop) {
+        return halfdisk::measure(path, {index, sensor}, halfdisk::initialValues(path), limits, stop);
+    };
+    const halfdisk::Measurement stopped = measured([] { return true; });
+    CHECK(stopped.interrupted);
+    CHECK(stopped.film.passes == 0);
+    const halfdisk::Measurement whole = measured({});
+    CHECK_FALSE(whole.interrupted);
+    CHECK(whole.film.passes == 10);
+}
+
+TEST_CASE("a bar with the remaining time on a terminal, not a byte in a pipe") {
+    const TemporaryFolder folder;
+    const std::vector<std::string> arguments{
+        "eye", sceneFile("seen_room.toml"), "--width", "16", "--samples", "2000", "-o", folder / "a.png"};
+    const Outcome piped = runProgram(arguments);
+    CHECK(piped.exitCode == 0);
+    CHECK(piped.err == "");
+    const Outcome shown = runOnTerminal(arguments);
+    CHECK(shown.exitCode == 0);
+    CHECK(shown.err.find("%  ") != std::string::npos);
+    CHECK(shown.err.find(" samples") != std::string::npos);
+    CHECK(shown.err.find(" left") != std::string::npos);
+    CHECK(shown.err.substr(shown.err.size() - 4) == "\r\x1b[K");  // taken away at the end
+    CHECK(shown.out.find("written: ") != std::string::npos);
+}
+
+TEST_CASE("the bar's text") {
+    using halfdisk::durationText;
+    using halfdisk::progressLine;
+    CHECK(durationText(-1.0) == "0 s");
+    CHECK(durationText(0.2) == "1 s");
+    CHECK(durationText(59.0) == "59 s");
+    CHECK(durationText(59.5) == "1 min 00 s");
+    CHECK(durationText(7500.0) == "2 h 05 min");
+    CHECK(progressLine(0.25, 5.0, "16 samples") == "[=====               ]  25 %  16 samples  15 s left");
+    CHECK(progressLine(1.5, 5.0, "x") == "[====================] 100 %  x  0 s left");
+    CHECK(progressLine(0.0, 5.0, "0 samples") == "[                    ]   0 %  0 samples");
+}

@@ -1,0 +1,216 @@
+// Do all estimators that can carry a scene's light find the same, in every scene and on every sensor?
+#include <doctest/doctest.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+#include "agreement.h"
+#include "core/quadrature.h"
+#include "core/reference.h"
+
+using namespace halfdisk;
+using namespace halfdisk::test;
+
+namespace {
+
+constexpr const char* kStages[] = {
+    "one_wall",    "two_patches", "closed_room",     "occluder", "corner", "corridor",        "mirror_room",
+    "glossy_wall", "glass_disk",  "lens_and_screen", "sky_only", "mixed",  "sun_through_slab"};
+constexpr std::size_t kFilms = 50;  // comparisons in a stage, about, for the threshold
+
+// Of the runs that must be told from the right ones: a bias of five percent is then worth ten standard errors
+// or more.
+constexpr std::uint64_t kControl = 400'000;
+
+/// How each estimator takes part: its samples are dearer or cheaper than a path's.
+struct Part {
+    std::vector<std::pair<std::string, double>> params{};
+    double share = 1.0;  // of the samples
+};
+const std::map<std::string, Part>& parts() {
+    static const std::map<std::string, Part> all{
+        {"cast-ray", {{{"samples", 2}}, 0.25}},     {"path", {}}, {"light", {}}, {"bidirectional", {{}, 0.5}},
+        {"virtual-lights", {{{"paths", 4}}, 0.25}},
+    };
+    return all;
+}
+
+/// Biased by construction: they have tests of their own.
+bool isBiased(const EstimatorInfo& info) {
+    return info.id == "photon-map" || info.id == "radiosity" || info.id == "closed-form";
+}
+
+Stage stageOf(const std::string& name) {
+    Stage stage = readStage(name);
+    stage.index = std::make_unique<SegmentIndex>(stage.scene);
+    return stage;
+}
+
+struct Measured {
+    std::string id, paths;
+    Film film;
+};
+
+std::vector<Measured> measureAll(const Stage& stage, const Sensor& sensor, std::uint64_t samples) {
+    std::vector<Measured> all;
+    for (const EstimatorInfo* info : estimators()) {
+        if (isBiased(*info) || !(info->sensors & bitOf(sensor))) continue;
+        const Part& part = parts().at(std::string(info->id));
+        Run run{.id = std::string(info->id), .params = part.params, .threads = 2};
+        run.samples = static_cast<std::uint64_t>(static_cast<double>(samples) * part.share);
+        all.push_back({run.id, info->paths(stage.scene, bitOf(sensor)), measure(stage, sensor, run)});
+    }
+    return all;
+}
+
+void checkAgreement(const Stage& stage, std::uint64_t samples) {
+    for (const Sensor& sensor : sensorsOf(stage)) {
+        const auto all = measureAll(stage, sensor, samples);
+        int pairs = 0;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            CHECK(all[i].film.counts.nonFinite == 0);
+            CHECK(all[i].film.counts.negative == 0);
+            for (std::size_t k = 0; k < i; ++k) {
+                if (all[i].paths != all[k].paths) continue;
+                const Agreement agreement = compare(all[i].film, all[k].film, kFilms);
+                INFO(stage.name << " " << kSensorNames[sensor.index()] << ": " << all[i].id << " against "
+                                << all[k].id << ", " << agreement.where);
+                CHECK(agreement.worst <= agreement.threshold);
+                ++pairs;
+            }
+        }
+        // No sensor goes without a second opinion.
+        INFO(stage.name << " " << kSensorNames[sensor.index()]);
+        CHECK(pairs > 0);
+    }
+}
+
+Film scaled(Film film, double factor) {
+    for (Statistics& pixel : film.pixels) {
+        pixel.mean *= factor;
+        pixel.squares *= factor * factor;
+    }
+    return film;
+}
+
+}  // namespace
+
+TEST_CASE("agreement: every stage, every sensor, every pair of estimators that carry the same paths") {
+    for (const std::string name : kStages) {
+        CAPTURE(name);
+        checkAgreement(stageOf(name), 100'000);
+    }
+}
+
+TEST_CASE("agreement: an estimator that is five percent too bright is told in every stage") {
+    for (const std::string name : kStages) {
+        const Stage stage = stageOf(name);
+        bool told = false;
+        for (const Sensor& sensor : sensorsOf(stage)) {
+            const Film path = measure(stage, sensor, {.id = "path", .samples = kControl, .threads = 2});
+            const Film other =
+                measure(stage, sensor, {.id = "path", .seed = 2, .samples = kControl, .threads = 2});
+            told = told || !compare(path, scaled(other, 1.05), kFilms).holds();
+            // The same without the five percent passes, so it is they that are told.
+            CHECK(compare(path, other, kFilms).holds());
+        }
+        CAPTURE(name);
+        CHECK(told);
+    }
+}
+
+TEST_CASE("agreement: an estimator that loses one kind of path is told in every stage") {
+    for (const std::string name : kStages) {
+        const Stage stage = stageOf(name);
+        const bool specular = traitsOf(stage.scene).specular;
+        bool told = false;
+        for (const Sensor& sensor : sensorsOf(stage)) {
+            const Film whole = measure(stage, sensor, {.id = "path", .samples = kControl, .threads = 2});
+            // Without paths over mirrors and glass; elsewhere without those of the last scattering.
+            Run lossy{.id = "path", .seed = 2, .threads = 2};
+            if (specular) {
+                lossy.maxSpecular = 0;
+            } else {
+                lossy.maxDepth = name == "one_wall" ? 0 : 1;
+            }
+            told = told || !compare(whole, measure(stage, sensor, lossy), kFilms).holds();
+        }
+        CAPTURE(name);
+        // One wall lights nothing but the eye and the field: what scatters last is all there is.
+        CHECK(told);
+    }
+}
+
+TEST_CASE("agreement: exact irradiance on the floor of every diffuse room, as bin means") {
+    for (const std::string name : kStages) {
+        const Stage stage = stageOf(name);
+        if (!traitsOf(stage.scene).diffuseOnly) continue;
+        CAPTURE(name);
+        const std::uint32_t depth = 2, floor = stage.wall("floor");
+        const Reference reference(*stage.index, depth);
+        REQUIRE(reference.ready());
+        const Sensor sensor = Profile{{floor}, 6};
+        // Gauss points of 40 panels a bin: shadow edges, where E has a kink, are met to a thousandth.
+        std::vector<Rgb> exact(6, Rgb(0.0));
+        constexpr int kPanels = 40;
+        for (int panel = 0; panel < 6 * kPanels; ++panel)
+            for (const GaussPoint& point : kGauss8) {
+                const double t = (panel + (point.x + 1.0) / 2.0) / (6.0 * kPanels);
+                exact[static_cast<std::size_t>(panel / kPanels)] +=
+                    reference.irradiance(shadedPointOn(*stage.index, floor, t), depth) *
+                    (point.weight / 2.0 / kPanels);
+            }
+        bool told = false;
+        for (const Measured& measured : measureAll(stage, sensor, 100'000)) {
+            double scale = 0.0;
+            for (const Rgb& bin : exact) scale = std::max({scale, bin.x, bin.y, bin.z});
+            const Agreement agreement = compareExact(measured.film, exact, 1e-3 * scale, kFilms);
+            INFO(measured.id << ": " << agreement.where);
+            CHECK(agreement.worst <= agreement.threshold);
+            told = told || !compareExact(scaled(measured.film, 1.05), exact, 1e-3 * scale, kFilms).holds();
+        }
+        CHECK(told);
+    }
+}
+
+TEST_CASE(
+    "agreement: the same seed gives the same bits on 1, 2 and 3 threads, for every estimator and sensor") {
+    for (const std::string name : {"occluder", "mixed"}) {
+        const Stage stage = stageOf(name);
+        for (const Sensor& sensor : sensorsOf(stage))
+            for (const EstimatorInfo* info : estimators()) {
+                const Sensor& asked = sensor;
+                const std::uint32_t depth = info->id == "closed-form" ? 0 : 2;
+                const Problem problem{*stage.index, asked, depth};
+                const ParamValues values = initialValues(*info);
+                if (!refusalOf(*info, problem, values).empty()) continue;
+                const auto estimator = info->make(problem, values);
+                // Enough passes for several chunks, few for the dear ones.
+                const std::uint64_t passes =
+                    4 * (4096 / pixelCount(asked)) / (isBiased(*info) ? 200 : 20) + 7;
+                std::vector<Film> films;
+                for (const unsigned threads : {1u, 2u, 3u}) {
+                    RenderOptions options;
+                    options.passes = passes;
+                    options.threads = threads;
+                    films.push_back(render(*estimator, asked, options));
+                }
+                INFO(name << " " << info->id << " " << kSensorNames[asked.index()]);
+                for (std::size_t i = 0; i < films[0].pixels.size(); ++i) {
+                    REQUIRE(films[0].pixels[i].mean == films[1].pixels[i].mean);
+                    REQUIRE(films[0].pixels[i].squares == films[1].pixels[i].squares);
+                    REQUIRE(films[0].pixels[i].mean == films[2].pixels[i].mean);
+                }
+                REQUIRE(films[0].counts.rays == films[2].counts.rays);
+            }
+    }
+}
+
+TEST_CASE("long: agreement with ten million samples a stage" * doctest::skip()) {
+    for (const std::string name : kStages) {
+        CAPTURE(name);
+        checkAgreement(stageOf(name), 10'000'000);
+    }
+}

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "app/light_picture.h"
 #include "app/prepared_scene.h"
 #include "core/estimate.h"
 #include "core/recorder.h"
@@ -28,6 +29,8 @@ struct LightQuestion {
     WallPoint at;
     Settings settings;
     bool wantsDamage = false;  ///< also what each defect alone does
+    bool wantsEye = false;     ///< also the eye's strip
+    bool wantsField = false;   ///< also the picture of the room
 };
 
 /// Light that arrives along one direction of the half-disk.
@@ -76,6 +79,10 @@ struct LightAnswer {
     std::vector<double> histogramOf;  ///< single contributions, mean of the channels, up to a few thousand
     std::vector<ErrorPoint> errors;
     std::vector<Damage> damage;
+    bool pointComplete = false;  ///< all that is asked about P is done
+
+    // stage 4: pictures, which do not depend on P; null: not begun, or (eye) the scene has none
+    std::shared_ptr<const LightPicture> eye, field;
 
     bool complete = false;
 };

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/light_stages.h"
+#include "app/picture_stages.h"
 
 namespace halfdisk {
 
@@ -51,6 +52,7 @@ void LightJob::publish(const LightAnswer& answer) {
 
 void LightJob::run() {
     ReferenceCache references;
+    PictureCache pictures;
     // Every record is held here as well, so that its megabytes are given back on this thread, not within a
     // frame.
     std::vector<std::shared_ptr<const Record>> records;
@@ -69,12 +71,19 @@ void LightJob::run() {
         recordRun(answer, cancelled_);
         if (answer.record) records.push_back(answer.record);
         finishingFirstPicture_ = false;
+        recallPictures(answer, pictures);
         if (!cancelled_) publish(answer);
         const auto superseded = [&] {
             const std::lock_guard guard(mutex_);
             return waiting_.has_value() || quit_;
         };
-        if (!superseded()) refine(answer, references, cancelled_, [&] { publish(answer); });
+        const auto publishNow = [&] { publish(answer); };
+        if (!superseded()) refine(answer, references, cancelled_, publishNow);
+        if (!superseded() && !cancelled_) refinePictures(answer, pictures, cancelled_, publishNow);
+        if (!superseded() && !cancelled_) {
+            answer.complete = true;
+            publishNow();
+        }
 
         lock.lock();
         working_ = false;

@@ -205,7 +205,7 @@ void refine(LightAnswer& answer, ReferenceCache& references, const std::atomic<b
         if (answer.exact && answer.asked.wantsDamage) measureDamage(answer, cancelled);
         if (cancelled) return;
     }
-    answer.complete = true;
+    answer.pointComplete = true;
     publish();
 }
 

@@ -1,4 +1,5 @@
 // In which order is the light at P computed? First one recorded run, then the exact answer, then many runs.
+// Pictures come after it: picture_stages.h.
 #pragma once
 
 #include <atomic>
@@ -25,7 +26,7 @@ bool isQuick(const LightQuestion& question);
 /// Stage 1. When `cancelled` the answer is not to be used.
 void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled);
 
-/// Stages 2 and 3; calls `publish` after each that was completed. Sets answer.complete at the end.
+/// Stages 2 and 3; calls `publish` after each that was completed. Sets answer.pointComplete at the end.
 void refine(LightAnswer& answer, ReferenceCache& references, const std::atomic<bool>& cancelled,
             const std::function<void()>& publish);
 

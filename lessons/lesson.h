@@ -28,13 +28,15 @@ enum class View : std::uint8_t {
     exact,
     numbers,
     grid,
-    damage
+    damage,
+    eye,
+    field
 };
 
 /// What a step can unlock for the reader's hand.
 enum class Control : std::uint8_t { point, samples, depth, seed, sampler, emitters, defects, step };
 
-inline constexpr std::array<Named<View>, 11> kViews{{
+inline constexpr std::array<Named<View>, 13> kViews{{
     {View::halfdisk, "halfdisk", "the half-disk over P; with rays, also the sample points on its arc"},
     {View::rays, "rays", "the sample rays, coloured by what they bring back"},
     {View::tree, "tree", "the rays of the recursion, fading with depth"},
@@ -46,6 +48,8 @@ inline constexpr std::array<Named<View>, 11> kViews{{
     {View::numbers, "numbers", "the estimate, its standard error and the count of rays"},
     {View::grid, "grid", "a grid behind the scene"},
     {View::damage, "damage", "what each defect of the published listing, alone, does to E"},
+    {View::eye, "eye", "the strip that the scene's eye sees"},
+    {View::field, "field", "the picture of the room: the light that passes every place"},
 }};
 
 inline constexpr std::array<Named<Control>, 8> kControls{{

@@ -4,9 +4,8 @@
 // vertices from the light and t from the sensor; each finds the same light in its own way, and the weights of
 // path_densities.h let the best speak most.
 #include "core/estimators/all.h"
+#include "core/estimators/bidirectional_join.h"
 #include "core/estimators/params.h"
-#include "core/path_densities.h"
-#include "core/walk.h"
 
 namespace halfdisk {
 namespace {
@@ -35,259 +34,6 @@ constexpr std::array kParams{
     ParamInfo{.name = kRouletteParam.name, .meaning = kRouletteParam.meaning, .most = 1000, .whole = true},
 };
 
-/// One end's walk: the walls that it met, with what it carries on arriving there.
-struct Subpath {
-    struct Vertex {
-        InnerVertex wall;
-        Rgb throughput{0.0};
-        std::uint32_t scatterings = 0;  ///< before this wall
-        double u = 0.0;                 ///< on its segment
-    };
-    std::vector<Vertex> vertices;
-    Ray escaped;  ///< into the environment, with this throughput; none: black
-    Rgb escapedThroughput{0.0};
-    std::uint32_t escapedScatterings = 0;
-};
-
-struct SubpathVisitor : WalkVisitor {
-    Subpath& path;
-    explicit SubpathVisitor(Subpath& kept) : path(kept) {}
-
-    bool arrive(const Arrival& here) {
-        path.vertices.push_back({{here.at, false}, here.throughput, here.scatterings, here.hit.u});
-        return true;
-    }
-    void depart(const Arrival&, const Scattered& way) { path.vertices.back().wall.delta = way.isDelta(); }
-    void escape(const Ray& ray, const Rgb& throughput, std::uint32_t scatterings) {
-        path.escaped = ray;
-        path.escapedThroughput = throughput;
-        path.escapedScatterings = scatterings;
-    }
-};
-
-/// What all joins of a pass share.
-struct Setup {
-    Problem problem;
-    LightTable lights;
-    std::optional<ProfileBins> bins;
-    int onlyS, onlyT;  // -1: any
-    bool weighs;
-    Heuristic heuristic;
-    StrategyCounts counts;
-    WalkLimits limits;
-
-    bool asks(std::size_t s, std::size_t t) const {
-        return (onlyS < 0 || s == static_cast<std::size_t>(onlyS)) &&
-               (onlyT < 0 || t == static_cast<std::size_t>(onlyT));
-    }
-};
-
-LightEnd endOf(const SegmentIndex& index, const Emission& emission, std::uint32_t environment) {
-    LightEnd end{
-        .light = emission.light, .segment = emission.segment, .P = emission.ray.origin, .N = emission.N};
-    end.infinite =
-        emission.light == environment || (isDelta(index, emission.light) && !isPoint(index, emission.light));
-    end.canBeMet = emission.light == environment || emission.segment != kNoSegment;
-    if (end.infinite) end.towards = -emission.ray.direction;
-    return end;
-}
-
-LightEnd endOf(const SegmentIndex& index, const DrawnLight& drawn, Vec2 from, std::uint32_t environment) {
-    LightEnd end{.light = drawn.light, .segment = drawn.segment};
-    end.infinite = std::isinf(drawn.distance);
-    end.canBeMet = drawn.light == environment || drawn.segment != kNoSegment;
-    if (end.infinite) {
-        end.towards = drawn.L;
-        return end;
-    }
-    end.P = from + drawn.L * drawn.distance;
-    if (drawn.segment == kNoSegment) return end;
-    end.N = index.normal(drawn.segment);
-    if (glm::dot(end.N, drawn.L) > 0.0) end.N = -end.N;
-    return end;
-}
-
-/// All strategies of one pair of subpaths.
-class Join {
- public:
-    Join(const Setup& setup, Picture& picture, Counts& counts)
-        : all_(setup), index_(setup.problem.index), picture_(picture), counts_(counts) {}
-
-    void run(std::uint32_t pixel, const Rng& rng) {
-        const Rng sensorRng = rng.child(0), lightRng = rng.child(1);
-        receiver_ = startOf(all_.problem.sensor, index_, pixel, sensorRng.uniform(draws::kStart, 0),
-                            sensorRng.uniform(draws::kStart, 1));
-        const Sight sight = sightFrom(receiver_, index_, sensorRng.uniform(draws::kStart, 2));
-        SubpathVisitor sensorVisitor(sensor_), lightVisitor(light_);
-        walk(index_, sight.ray, Rgb(sight.weight), Carried::radiance, all_.limits, sensorRng, counts_,
-             sensorVisitor);
-        const Emission emission =
-            all_.lights.emit(lightRng.uniform(draws::kStart, 0), lightRng.uniform(draws::kStart, 1));
-        if (emission.power != Rgb(0.0)) {
-            lightEnd_ = endOf(index_, emission, all_.lights.environmentLight());
-            walk(index_, emission.ray, emission.power, Carried::power, all_.limits, lightRng, counts_,
-                 lightVisitor);
-        }
-        joinAll(lightRng);
-    }
-
- private:
-    void joinAll(const Rng& rng) {
-        const std::size_t lightVertices = light_.vertices.size() + 1,
-                          sensorVertices = sensor_.vertices.size() + 1;
-        for (std::size_t t = 1; t <= sensorVertices; ++t) {
-            if (t > 1 && all_.asks(0, t)) meetLamp(t);
-            if (all_.asks(1, t)) askLight(t, rng);
-            for (std::size_t s = 2; s <= lightVertices; ++s) {
-                if (!all_.asks(s, t)) continue;
-                if (t == 1) {
-                    connectToSensor(s);
-                } else {
-                    connectWalls(s, t);
-                }
-            }
-        }
-        if (all_.asks(0, sensorVertices + 1)) meetEnvironment(sensorVertices + 1);
-        for (std::size_t s = 2; all_.bins && s <= lightVertices; ++s)
-            if (all_.asks(s, 0)) meetSensor(s);
-    }
-
-    /// The first `fromLight` walls of the light's path and the first `fromSensor` of the sensor's, from the
-    /// light on. Where the two are connected, their ends scatter whatever they did on their own.
-    std::vector<InnerVertex> walls(std::size_t fromLight, std::size_t fromSensor, bool connected) const {
-        std::vector<InnerVertex> inner;
-        for (std::size_t i = 0; i < fromLight; ++i) inner.push_back(light_.vertices[i].wall);
-        if (connected && fromLight > 0) inner.back().delta = false;
-        for (std::size_t i = fromSensor; i-- > 0;) {
-            inner.push_back(sensor_.vertices[i].wall);
-            if (connected && i + 1 == fromSensor) inner.back().delta = false;
-        }
-        return inner;
-    }
-
-    void add(const Receiver& at, std::size_t s, const LightEnd& end, std::vector<InnerVertex> inner,
-             double pdfReceiver, const Rgb& value) {
-        std::uint32_t scatterings = 0;
-        for (const InnerVertex& wall : inner) scatterings += wall.delta ? 0 : 1;
-        if (value == Rgb(0.0) || scatterings > all_.limits.scatterings) return;
-        double weight = 1.0;
-        if (all_.weighs)
-            weight = WholePath(all_.lights, end, std::move(inner), at, pdfReceiver)
-                         .weight(s, all_.counts, all_.heuristic);
-        addTo(picture_, at.pixel, value * weight, counts_);
-    }
-
-    double pdfReceiver() const { return all_.bins ? 1.0 / all_.bins->binLength() : 1.0; }
-
-    // s = 0: the sensor's path meets a lamp at its vertex t - 1.
-    void meetLamp(std::size_t t) {
-        const Subpath::Vertex& met = sensor_.vertices[t - 2];
-        const SurfacePoint& at = met.wall.at;
-        const Segment& wall = index_.scene().segments[at.segment];
-        if (!isEmitter(wall) || !(at.front || wall.twoSided)) return;
-        const LightEnd end{.light = all_.lights.lightOf(at.segment),
-                           .segment = at.segment,
-                           .canBeMet = true,
-                           .P = at.P,
-                           .N = at.N};
-        add(receiver_, 0, end, walls(0, t - 2, false), pdfReceiver(), met.throughput * wall.emission);
-    }
-
-    void meetEnvironment(std::size_t t) {
-        if (sensor_.escapedThroughput == Rgb(0.0)) return;
-        const LightEnd end{.light = all_.lights.environmentLight(),
-                           .infinite = true,
-                           .canBeMet = true,
-                           .towards = sensor_.escaped.direction};
-        add(receiver_, 0, end, walls(0, t - 2, false), pdfReceiver(),
-            sensor_.escapedThroughput * index_.environment(end.towards));
-    }
-
-    // s = 1: a light is asked at the sensor's vertex t - 1.
-    void askLight(std::size_t t, const Rng& rng) {
-        const auto sample = static_cast<std::uint32_t>(t);
-        const double pick = rng.uniform(sample, draws::kPick), u = rng.uniform(sample, draws::kLight);
-        const std::uint32_t environment = all_.lights.environmentLight();
-        if (t == 1) {
-            const DrawnLight drawn = drawLight(all_.lights, receiver_, pick, u, counts_);
-            // An eye does not see a light that has no size.
-            if (drawn.L_i == Rgb(0.0) || (drawn.pdfAngle == 0.0 && !gathers(receiver_))) return;
-            addConnected(1, endOf(index_, drawn, receiver_.at.P, environment), {},
-                         responseTo(receiver_, drawn.L), drawn.L_i);
-            return;
-        }
-        const Subpath::Vertex& asking = sensor_.vertices[t - 2];
-        const SurfacePoint& at = asking.wall.at;
-        if (isSpecular(*at.material)) return;
-        const DrawnLight drawn = drawLight(all_.lights, at, pick, u, counts_);
-        if (drawn.L_i == Rgb(0.0)) return;
-        add(receiver_, 1, endOf(index_, drawn, at.P, environment), walls(0, t - 1, true), pdfReceiver(),
-            asking.throughput * evalSurface(at, drawn.L, at.from) * drawn.L_i * glm::dot(at.N, drawn.L));
-    }
-
-    // t = 1: the light's vertex s - 1 is connected to the sensor's own place.
-    void connectToSensor(std::size_t s) {
-        const Subpath::Vertex& last = light_.vertices[s - 2];
-        const SurfacePoint& at = last.wall.at;
-        if (isSpecular(*at.material)) return;
-        const Connection way = connect(index_, at, receiver_, counts_);
-        if (way.passed == Rgb(0.0)) return;
-        addConnected(s, lightEnd_, walls(s - 1, 0, true), way.response,
-                     last.throughput * evalSurface(at, at.from, way.toReceiver) * way.passed *
-                         (glm::dot(at.N, way.toReceiver) / way.distance));
-    }
-
-    /// Radiance that one of the light's paths brings straight to the sensor's place; every pixel's path may
-    /// serve any pixel of an eye.
-    void addConnected(std::size_t s, const LightEnd& end, std::vector<InnerVertex> inner,
-                      const Response& response, const Rgb& radiance) {
-        Receiver at = receiver_;
-        at.pixel = response.pixel;
-        add(at, s, end, std::move(inner), pdfReceiver(),
-            radiance * (response.weight / all_.counts.lightConnected));
-    }
-
-    void connectWalls(std::size_t s, std::size_t t) {
-        const Subpath::Vertex& y = light_.vertices[s - 2];
-        const Subpath::Vertex& z = sensor_.vertices[t - 2];
-        const SurfacePoint &a = y.wall.at, &b = z.wall.at;
-        if (isSpecular(*a.material) || isSpecular(*b.material) || a.segment == b.segment) return;
-        if (y.scatterings + z.scatterings + 2 > all_.limits.scatterings) return;
-        const Vec2 gap = b.P - a.P;
-        const double r = glm::length(gap);
-        if (r == 0.0) return;
-        const Vec2 way = gap / r;
-        const double cosines = std::max(0.0, glm::dot(a.N, way)) * std::max(0.0, -glm::dot(b.N, way));
-        if (cosines == 0.0) return;
-        const Rgb value = y.throughput * evalSurface(a, a.from, way) * evalSurface(b, -way, b.from) *
-                          z.throughput * (cosines / r);
-        if (value == Rgb(0.0)) return;
-        ++counts_.rays;
-        if (index_.occluded({originOff(index_, a.segment, a.P, way), way, a.segment}, r, b.segment)) return;
-        add(receiver_, s, lightEnd_, walls(s - 1, t - 1, true), pdfReceiver(),
-            value * transmittance(index_, a.medium, r));
-    }
-
-    // t = 0: the light's path meets the profile at its vertex s - 1.
-    void meetSensor(std::size_t s) {
-        const Subpath::Vertex& met = light_.vertices[s - 2];
-        const SurfacePoint& at = met.wall.at;
-        const auto place = at.front ? all_.bins->at(at.segment, met.u) : std::nullopt;
-        if (!place) return;
-        const Receiver receiver{.at = {at.P, at.N, at.segment}, .pixel = place->bin};
-        add(receiver, s, lightEnd_, walls(s - 2, 0, false), 1.0 / place->length,
-            met.throughput / (place->length * all_.counts.lightAlone));
-    }
-
-    const Setup& all_;
-    const SegmentIndex& index_;
-    Picture& picture_;
-    Counts& counts_;
-    Receiver receiver_;
-    Subpath sensor_, light_;
-    LightEnd lightEnd_;
-};
-
 class BidirectionalEstimator : public Estimator {
  public:
     BidirectionalEstimator(const Problem& problem, const ParamValues& params)
@@ -312,13 +58,13 @@ class BidirectionalEstimator : public Estimator {
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
-            Join(setup_, picture, counts).run(pixel, Rng(setup_.problem.seed, pass).child(pixel));
+            joinPaths(setup_, pixel, Rng(setup_.problem.seed, pass).child(pixel), picture, counts);
             counts.paths += 2;
         }
     }
 
  private:
-    Setup setup_;
+    JoinSetup setup_;
 };
 
 // A path from a light that can't be met must be joined somewhere: where two of L, D and E stand side by side.

@@ -1,0 +1,30 @@
+// What is a picture that grows while it is looked at? The film so far, and how it looks on the screen.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/film.h"
+#include "core/sensor.h"
+
+namespace halfdisk {
+
+/// A finished batch of passes of one sensor. Never changes: a later batch is another picture.
+struct LightPicture {
+    Sensor sensor;
+    Film film;
+    std::vector<std::uint32_t> colors;  ///< of each pixel, packed as ImGui's (IM_COL32), opaque
+    double white = 1.0;   ///< what is shown as white, in the unit of the sensor; more is cut off
+    std::string refusal;  ///< not empty: why there is no picture
+    bool complete = false;
+};
+
+/// The eye's strip, W/(m rad); nothing if the scene has no eye.
+std::optional<Sensor> eyeStripOf(const Scene& scene);
+
+/// The picture of a room that reaches from `min` to `max` (m), with a margin, W/m. Its cells are about square.
+Sensor fieldOf(Vec2 min, Vec2 max);
+
+}  // namespace halfdisk

@@ -48,6 +48,7 @@ struct AppState {
     Camera camera;
     bool fitCamera = true;  ///< keep the whole scene in sight; until the reader pans or zooms
     Grip grip = Grip::none;
+    std::optional<std::uint32_t> eyePixel;  ///< of the eye's strip, under the pointer
     Pane pane = Pane::lesson;
     bool canvasHidden = false;  ///< on a low screen: the code or plot takes the canvas' place
     bool answerShown = false;
@@ -57,7 +58,7 @@ struct AppState {
     int litLine = 0;     ///< of the code panel: the line of the listing that it last scrolled to; 0: none yet
 
     // the light
-    std::uint64_t questionId = 0;  ///< grows whenever scene, P or settings change
+    std::uint64_t questionId = 0;  ///< grows whenever scene, P, settings or wanted pictures change
     std::shared_ptr<const LightAnswer> answer;
 
     const Step* currentStep() const { return lesson ? &lesson->steps[step] : nullptr; }

@@ -23,6 +23,8 @@ struct Canvas {
 };
 
 void drawGrid(const Canvas& canvas);
+void drawField(const Canvas& canvas);
+bool fieldIsSeen(const Canvas& canvas);
 void drawWalls(const Canvas& canvas);
 void drawEye(const Canvas& canvas);
 void drawLights(const Canvas& canvas);
@@ -31,7 +33,12 @@ void drawSamples(const Canvas& canvas);
 void drawTree(const Canvas& canvas);
 void drawCurrentStep(const Canvas& canvas);
 void drawPoint(const Canvas& canvas, Vec2 P, Vec2 N);
+void drawGaze(const Canvas& canvas);
 void drawRayLegend(const Canvas& canvas);
+void drawFieldLegend(const Canvas& canvas);
+
+/// Top of a legend's words, pixels; row 0 is the lowest.
+float legendRow(const Canvas& canvas, int row);
 
 /// Radius of the half-disk on the screen, pixels.
 float halfDiskRadius(const Canvas& canvas);

@@ -107,6 +107,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
 
     canvas.list.PushClipRect(rect.min, rect.max, true);
     const Vec2 P = positionOf(state.scene->scene, state.at), N = shadedNormal(state);
+    drawField(canvas);
     if (state.shows(View::grid)) drawGrid(canvas);
     if (state.shows(View::halfdisk)) drawHalfDisk(canvas, P, N, 1.0f);
     if (state.shows(View::tree)) drawTree(canvas);
@@ -114,14 +115,19 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     drawWalls(canvas);
     drawLights(canvas);
     drawEye(canvas);
+    drawGaze(canvas);
     drawPoint(canvas, P, N);
     drawCurrentStep(canvas);
     const ImVec2 p = canvas.screen(P);
     const ImVec2 below{p.x - canvas.px(20) * static_cast<float>(N.x),
                        p.y + canvas.px(20) * static_cast<float>(N.y)};
+    if (fieldIsSeen(canvas))
+        canvas.list.AddCircleFilled(below, 0.62f * ImGui::GetFontSize(),
+                                    withOpacity(ui.palette.background, 0.9f));
     drawText(ui, {below.x, below.y - ImGui::GetFontSize() / 2}, ui.palette.estimate, "P", Align::middle,
              ui.fonts.strong);
     drawRayLegend(canvas);
+    drawFieldLegend(canvas);
     canvas.list.PopClipRect();
     mark(ui.widgets, "P", {p.x - canvas.px(6), p.y - canvas.px(6)}, {p.x + canvas.px(6), p.y + canvas.px(6)});
 

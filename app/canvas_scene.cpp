@@ -112,9 +112,15 @@ void drawGrid(const Canvas& canvas) {
         canvas.list.AddLine({canvas.rect.min.x, p}, {canvas.rect.max.x, p}, canvas.ui.palette.grid, 1.0f);
     }
     const std::string words = fmt::format("grid: {:g} m", step);
-    drawText(canvas.ui,
-             {canvas.rect.max.x - canvas.px(6), canvas.rect.max.y - 2 * ImGui::GetFontSize() - canvas.px(14)},
-             canvas.ui.palette.inkSoft, words, Align::right);
+    // Above the legends, which lie on the left but may be as wide as the canvas.
+    const ImVec2 size = textSize(words);
+    const float up = canvas.ui.state.shows(View::field) ? legendRow(canvas, 2) : legendRow(canvas, 1);
+    const ImVec2 end{canvas.rect.max.x - canvas.px(6), up};
+    if (fieldIsSeen(canvas))
+        canvas.list.AddRectFilled({end.x - size.x - canvas.px(4), end.y},
+                                  {end.x + canvas.px(4), end.y + size.y},
+                                  withOpacity(canvas.ui.palette.background, 0.9f), canvas.px(4));
+    drawText(canvas.ui, end, canvas.ui.palette.inkSoft, words, Align::right);
 }
 
 void drawWalls(const Canvas& canvas) {
@@ -125,6 +131,10 @@ void drawWalls(const Canvas& canvas) {
         const bool oneSided = !s.twoSided && !actsOnBothSides(scene.materials[s.material]);
         if (part && hatch && oneSided) hatchBack(canvas, part->first, part->second);
     }
+    // Dark lines on the dark places of a field need a light rim.
+    if (fieldIsSeen(canvas))
+        for (const Segment& s : scene.segments)
+            canvas.line(s.a, s.b, withOpacity(canvas.ui.palette.background, 0.9f), canvas.px(7));
     for (const Segment& s : scene.segments)
         if (const auto part = clipped(canvas.camera, canvas.rect, s.a, s.b))
             drawWall(canvas, s, scene.materials[s.material], part->first, part->second);

@@ -22,6 +22,7 @@ void enterStep(AppState& state, std::size_t step) {
     state.answerShown = false;
     state.litLine = 0;
     state.grip = Grip::none;
+    state.eyePixel.reset();
     if (state.sceneOverride.empty()) {
         state.at = entered.values.at;
     } else {
@@ -112,6 +113,13 @@ void jumpToLine(AppState& state, int line) {
     }
 }
 
+void setView(AppState& state, const SetView& set) {
+    const bool picture = set.view == View::eye || set.view == View::field;
+    if (picture && set.on && !state.shows(set.view)) ++state.questionId;  // the run and its playback stay
+    if (set.view == View::eye) state.eyePixel.reset();
+    state.show.set(set.view, set.on);
+}
+
 /// Does all of `change` or, if it throws, none of it.
 void attempt(AppState& state, const auto& change) {
     AppState next = state;
@@ -174,7 +182,8 @@ void applyUnchecked(AppState& state, const Command& command) {
                    [&](ScrolledTo c) { state.litLine = c.line; },
                    [&](SetGrip c) { state.grip = c.grip; },
                    [&](SetUiScale c) { state.uiScale = std::clamp(c.scale, 0.5f, 4.0f); },
-                   [&](SetView c) { state.show.set(c.view, c.on); },
+                   [&](SetView c) { setView(state, c); },
+                   [&](LookAlong c) { state.eyePixel = c.pixel; },
                    [&](ShowPane c) { state.pane = c.pane; },
                    [&](HideCanvas c) { state.canvasHidden = c.hidden; },
                    [&](RevealAnswer) { state.answerShown = true; },

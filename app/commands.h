@@ -60,6 +60,9 @@ struct SetView {
     View view;
     bool on;
 };
+struct LookAlong {
+    std::optional<std::uint32_t> pixel;  ///< of the eye's strip
+};
 struct ShowPane {
     Pane pane;
 };
@@ -73,10 +76,11 @@ struct UnlockAll {
 struct ToggleHelp {};
 struct DismissBanner {};
 
-using Command = std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload,
-                             SetSettings, MovePoint, SetEvent, StepEvents, JumpToLine, ShowWholeRun,
-                             TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView,
-                             ShowPane, HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
+using Command =
+    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload, SetSettings, MovePoint,
+                 SetEvent, StepEvents, JumpToLine, ShowWholeRun, TogglePlay, SetCamera, FitCamera, ScrolledTo,
+                 SetGrip, SetUiScale, SetView, LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll,
+                 ToggleHelp, DismissBanner>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.

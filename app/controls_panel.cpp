@@ -81,6 +81,23 @@ void defectSwitches(const Ui& ui, Settings& settings) {
     ImGui::PopStyleVar(2);
 }
 
+/// On the steps that have one of them, and wherever everything is unlocked.
+void pictureSwitches(const Ui& ui) {
+    const Step* step = ui.state.currentStep();
+    const bool ofStep = step && (step->show.has(View::eye) || step->show.has(View::field));
+    if (step && !ofStep && !ui.state.unlockAll) return;
+    const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    const auto choice = [&](const char* label, View view, const char* meaning) {
+        bool on = ui.state.shows(view);
+        if (toggle(ui.widgets, label, on, {width, 0})) ui.commands.push_back(SetView{view, on});
+        tooltip(meaning);
+    };
+    choice("Eye", View::eye, "the strip that the scene's eye sees, traced backwards from it (V)");
+    sameLineIfFits("Field", width);
+    choice("Field", View::field,
+           "the picture of the room: the light that passes every place, traced from the lights (Shift V)");
+}
+
 }  // namespace
 
 void controlsPanel(const Ui& ui) {
@@ -113,6 +130,7 @@ void controlsPanel(const Ui& ui) {
         whileUnlocked(ui, Control::defects, [&] { defectSwitches(ui, settings); });
     if (!(settings == state.settings)) ui.commands.push_back(SetSettings{settings});
 
+    pictureSwitches(ui);
     if (!step) return;
     bool unlockAll = state.unlockAll;
     const ImGuiStyle& style = ImGui::GetStyle();

@@ -24,6 +24,14 @@ void beginColumn(const char* name, float x, float width, float top, ImGuiWindowF
     ImGui::Begin(name, nullptr, kFixed | more);
 }
 
+/// The canvas and, below it, what the eye sees.
+void scenePanels(const Ui& ui, ImVec2 size) {
+    if (!ui.state.shows(View::eye)) return canvasPanel(ui, size);
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    canvasPanel(ui, {size.x, size.y - eyeStripHeight(ui) - gap});
+    eyeStrip(ui, size.x);
+}
+
 void stage(const Ui& ui) {
     const AppState& state = ui.state;
     const bool code = state.shows(View::code), integrand = state.shows(View::integrand);
@@ -34,10 +42,10 @@ void stage(const Ui& ui) {
         tooltip("what belongs below the canvas, in its place");
     }
     const ImVec2 all = ImGui::GetContentRegionAvail();
-    if ((!code && !integrand) || (low && !state.canvasHidden)) return canvasPanel(ui, all);
+    if ((!code && !integrand) || (low && !state.canvasHidden)) return scenePanels(ui, all);
     const float below = std::floor(code ? 0.46f * all.y : std::min(0.4f * all.y, 300 * ui.scale));
     const ImVec2 rest{all.x, low ? all.y : below};
-    if (!low) canvasPanel(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
+    if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     if (code)
         codePanel(ui, rest);
     else
@@ -151,7 +159,8 @@ void askLight(Session& session) {
     AppState& state = session.state;
     if (session.asked == state.questionId) return;
     session.asked = state.questionId;
-    session.light.ask({state.questionId, state.scene, state.at, state.settings, state.shows(View::damage)});
+    session.light.ask({state.questionId, state.scene, state.at, state.settings, state.shows(View::damage),
+                       state.shows(View::eye), state.shows(View::field)});
 }
 
 void frame(Session& session, const Fonts& fonts, float uiScale) {

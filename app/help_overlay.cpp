@@ -35,6 +35,7 @@ constexpr std::array kKeys{
     KeyHelp{"+  -  Ctrl arrows", "magnify, shrink or move the picture"},
     KeyHelp{"P  C", "on small screens: the next pane / code or canvas"},
     KeyHelp{"G", "grid on / off"},
+    KeyHelp{"V  Shift V", "what the eye sees / the field of light on / off"},
     KeyHelp{"Ctrl +  Ctrl -", "everything larger / smaller"},
     KeyHelp{"? or F1", "this help"},
     KeyHelp{"Mouse", "drag P; drag the canvas to pan; wheel to zoom"},

@@ -114,6 +114,10 @@ void paneKeys(const Ui& ui) {
 void viewKeys(const Ui& ui) {
     if (keyPressed(Key::f, false)) ui.commands.push_back(FitCamera{});
     if (keyPressed(Key::g, false)) ui.commands.push_back(SetView{View::grid, !ui.state.shows(View::grid)});
+    if (keyPressed(Key::v, false)) {
+        const View view = ImGui::GetIO().KeyShift ? View::field : View::eye;
+        ui.commands.push_back(SetView{view, !ui.state.shows(view)});
+    }
     if (characterTyped('?') || keyPressed(Key::f1, false)) ui.commands.push_back(ToggleHelp{});
     if (keyPressed(Key::escape, false)) {
         if (ui.state.helpShown) ui.commands.push_back(ToggleHelp{});

@@ -79,8 +79,8 @@ void LightJob::run() {
         };
         const auto publishNow = [&] { publish(answer); };
         if (!superseded()) refine(answer, references, cancelled_, publishNow);
-        if (!superseded() && !cancelled_) refinePictures(answer, pictures, cancelled_, publishNow);
-        if (!superseded() && !cancelled_) {
+        if (!superseded()) refinePictures(answer, pictures, cancelled_, publishNow);
+        if (!superseded()) {
             answer.complete = true;
             publishNow();
         }

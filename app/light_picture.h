@@ -24,7 +24,8 @@ struct LightPicture {
 /// The eye's strip, W/(m rad); nothing if the scene has no eye.
 std::optional<Sensor> eyeStripOf(const Scene& scene);
 
-/// The picture of a room that reaches from `min` to `max` (m), with a margin, W/m. Its cells are about square.
+/// The picture of a room that reaches from `min` to `max` (m), with a margin, W/m. Its cells are about
+/// square.
 Sensor fieldOf(Vec2 min, Vec2 max);
 
 }  // namespace halfdisk

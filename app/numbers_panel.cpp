@@ -67,10 +67,11 @@ void estimateRows(const Ui& ui, const LightAnswer& answer) {
 }
 
 void exactRow(const Ui& ui, const LightAnswer& answer) {
-    const bool searching = !answer.exact && !answer.complete;
+    const bool searching = !answer.exact && !answer.pointComplete;
     const std::string value = answer.exact ? shown(gray(*answer.exact)) : searching ? "\u2026" : "not known";
     row(ui, "exact E", value, ui.palette.exact,
-        "The integral itself, by quadrature between the edges of what P sees (W/m). Nothing random in it.");
+        "The integral itself, by quadrature between the edges of what P sees (W/m). Nothing random in it. "
+        "Known for diffuse rooms only, with not too many walls.");
 }
 
 void costRows(const Ui& ui, const LightAnswer& answer) {

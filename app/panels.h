@@ -10,6 +10,9 @@ void controlsPanel(const Ui& ui);
 void numbersPanel(const Ui& ui);
 void codePanel(const Ui& ui, ImVec2 size);
 void canvasPanel(const Ui& ui, ImVec2 size);
+/// A row of this height (pixels); its words lie above the strip.
+void eyeStrip(const Ui& ui, float width);
+float eyeStripHeight(const Ui& ui);
 void integrandPlot(const Ui& ui, ImVec2 size);
 void errorPlot(const Ui& ui, ImVec2 size);
 void histogramPlot(const Ui& ui, ImVec2 size);

@@ -24,6 +24,13 @@ void emptyPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, c
              ui.palette.inkSoft, why, Align::middle);
 }
 
+/// Why there is nothing exact about P.
+const char* whyNotExact(const AppState& state) {
+    if (!state.answer || !state.answer->pointComplete) return "being computed";
+    if (state.answer->tooManyRays) return "too many rays";
+    return state.scene->visibility ? "no exact value at this depth" : "exact for diffuse rooms only";
+}
+
 /// Events of depth 0 that the playback has passed.
 template <class Function>
 void forPassedEvents(const AppState& state, EventKind kind, const Function& f) {
@@ -41,7 +48,7 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
     constexpr const char* kTitle = "Light arriving at P";
     const AppState& state = ui.state;
     if (!state.answer || state.answer->integrand.empty())
-        return emptyPlot(ui, "integrand", kTitle, size, "being computed");
+        return emptyPlot(ui, "integrand", kTitle, size, whyNotExact(state));
     const LightAnswer& answer = *state.answer;
     double top = 0.0;
     for (const IntegrandPoint& p : answer.integrand) top = std::max(top, gray(p.radiance));
@@ -87,9 +94,9 @@ void errorPlot(const Ui& ui, ImVec2 size) {
     constexpr const char* kTitle = "Error against N";
     const AppState& state = ui.state;
     if (!state.answer || state.answer->errors.size() < 2)
-        return emptyPlot(
-            ui, "error", kTitle, size,
-            !state.answer || !state.answer->complete ? "being measured" : "no exact value to compare with");
+        return emptyPlot(ui, "error", kTitle, size,
+                         !state.answer || !state.answer->pointComplete ? "being measured"
+                                                                       : "no exact value to compare with");
     const LightAnswer& answer = *state.answer;
     double low = 1e300, high = 0.0;
     for (const ErrorPoint& p : answer.errors) {
@@ -139,7 +146,8 @@ void histogramPlot(const Ui& ui, ImVec2 size) {
     constexpr const char* kTitle = "What single samples bring";
     const AppState& state = ui.state;
     if (!state.answer || state.answer->histogramOf.empty())
-        return emptyPlot(ui, "histogram", kTitle, size, "being computed");
+        return emptyPlot(ui, "histogram", kTitle, size,
+                         state.answer && state.answer->tooManyRays ? "too many rays" : "being computed");
     const std::vector<double>& values = state.answer->histogramOf;
     double low = 0.0, high = 0.0;
     for (const double value : values) {

@@ -59,7 +59,7 @@ if $bench; then
     exec "$root/build/tests/bench/halfdisk_bench"
 fi
 
-by_label=()
+by_label=(--label-exclude long)
 if [[ -n $label ]]; then by_label=(--label-regex "$label"); fi
 
 folder=$root/build

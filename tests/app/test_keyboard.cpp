@@ -212,6 +212,20 @@ void grid(Rig& rig) {
     }
 }
 
+void pictures(Rig& rig) {
+    begin(rig, 0);
+    for (const bool on : {true, false}) {
+        rig.driver.pressKey(Key::v);
+        CHECK(state(rig).shows(View::eye) == on);
+        CHECK_FALSE(state(rig).shows(View::field));
+    }
+    for (const bool on : {true, false}) {
+        rig.driver.pressKey(Key::shift, Key::v);
+        CHECK(state(rig).shows(View::field) == on);
+        CHECK_FALSE(state(rig).shows(View::eye));
+    }
+}
+
 void size(Rig& rig) {
     begin(rig, 0);
     rig.driver.pressKey(Key::ctrl, Key::equal);
@@ -261,6 +275,7 @@ const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", 
                                                     {"next pane", panes},
                                                     {"fit the scene", fit},
                                                     {"grid", grid},
+                                                    {"what the eye sees", pictures},
                                                     {"everything larger", size},
                                                     {"this help", help},
                                                     {"drag P", mouse},

@@ -82,7 +82,7 @@ Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::
         case 13:
             return FitCamera{};
         case 14:
-            return SetView{kViews[dice.below(10)].value, dice.once(2)};
+            return SetView{kViews[dice.below(static_cast<std::uint32_t>(kViews.size()))].value, dice.once(2)};
         case 15:
             return UnlockAll{!dice.once(4)};
         case 16:

@@ -13,9 +13,9 @@
 namespace halfdisk {
 namespace {
 
-// One or two seconds of one core, counted in what does not depend on the machine.
-constexpr std::uint64_t kMostPasses = 256;
-constexpr std::uint64_t kMostRays = 2'000'000;
+// Of one picture: a second or two of one core, counted in what does not depend on the machine.
+constexpr std::uint64_t kMostPasses = 512;
+constexpr std::uint64_t kMostRays = 1'200'000;
 // Of one batch: so long at most a newer question or the end of the program waits if it comes between chunks.
 constexpr double kPathsPerBatch = 16'384.0;
 

@@ -87,7 +87,7 @@ struct NumberInfo {
 inline constexpr NumberInfo kSamplesInfo{"samples", "N",           "half-disk samples per bounce",
                                          1,         1'000'000'000, 16};
 inline constexpr NumberInfo kMaxDepthInfo{
-    "depth", "maxDepth", "scatterings between the light and the half-disk", 0, 64, 1};
+    "depth", "maxDepth", "scatterings between the light and the half-disk", 0, 1000, 1};
 inline constexpr NumberInfo kMaxSpecularInfo{
     "specular", "maxSpecular", "mirror and glass events in a row; they never count as depth", 0, 1000, 32};
 inline constexpr NumberInfo kSeedInfo{

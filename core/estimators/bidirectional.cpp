@@ -78,6 +78,14 @@ std::string paths(const Scene& scene, unsigned sensor) {
                : joined;
 }
 
+// Every vertex of one path is joined with every vertex of the other.
+std::string refusal(const Problem& problem, const ParamValues&) {
+    constexpr std::uint32_t kMostDepth = 64;
+    if (problem.maxDepth <= kMostDepth) return {};
+    return "bidirectional joins every vertex with every other: expected a depth of at most 64, or the "
+           "estimator path";
+}
+
 }  // namespace
 
 const EstimatorInfo kBidirectionalEstimator{
@@ -88,7 +96,7 @@ const EstimatorInfo kBidirectionalEstimator{
     .params = kParams,
     .bias = {},
     .paths = paths,
-    .refusal = nullptr,
+    .refusal = refusal,
     .make = [](const Problem& problem, const ParamValues& params) -> std::unique_ptr<Estimator> {
         return std::make_unique<BidirectionalEstimator>(problem, params);
     },

@@ -13,12 +13,12 @@ using namespace halfdisk::test;
 
 namespace {
 
-struct Named_ {
+struct MaterialRow {
     const char* name;
     Material material;
 };
 
-std::vector<Named_> scatteringMaterials() {
+std::vector<MaterialRow> scatteringMaterials() {
     return {{"diffuse", Diffuse{Rgb(0.9, 0.5, 0.1)}},
             {"glossy 0", Glossy{Rgb(1.0), 0.0}},
             {"glossy 1", Glossy{Rgb(0.9), 1.0}},
@@ -28,7 +28,7 @@ std::vector<Named_> scatteringMaterials() {
             {"mix with glossy", Mix{Diffuse{Rgb(0.6)}, Glossy{Rgb(0.9), 25.0}, 0.6}}};
 }
 
-std::vector<Named_> allMaterials() {
+std::vector<MaterialRow> allMaterials() {
     auto all = scatteringMaterials();
     all.push_back({"mirror", Mirror{Rgb(0.9, 0.8, 0.7)}});
     all.push_back({"glass", Dielectric{1.5, Rgb(0.0)}});
@@ -105,28 +105,28 @@ double chiSquareOf(const Material& material, double angle, double stretch, Direc
 }  // namespace
 
 TEST_CASE("materials: draws follow the density that is stated") {
-    for (const auto& [name, material] : scatteringMaterials())
+    for (const MaterialRow& row : scatteringMaterials())
         for (const double angle : kIncidences)
             for (const Directions directions : {Directions::lobe, Directions::halfDisk}) {
-                INFO(name << " at " << angle);
-                CHECK(chiSquareOf(material, angle, 1.0, directions) > 1e-5);
+                INFO(row.name << " at " << angle);
+                CHECK(chiSquareOf(row.material, angle, 1.0, directions) > 1e-5);
             }
 }
 
 TEST_CASE("materials: a density that is off by two percent of the angle is rejected") {
-    for (const auto& [name, material] : scatteringMaterials()) {
-        INFO(name);
-        CHECK(chiSquareOf(material, 0.4, 0.98, Directions::lobe) < 1e-5);
+    for (const MaterialRow& row : scatteringMaterials()) {
+        INFO(row.name);
+        CHECK(chiSquareOf(row.material, 0.4, 0.98, Directions::lobe) < 1e-5);
     }
 }
 
 TEST_CASE("materials: light goes both ways alike") {
     Random random(3);
-    for (const auto& [name, material] : scatteringMaterials())
+    for (const MaterialRow& row : scatteringMaterials())
         for (int i = 0; i < 1000; ++i) {
             const double a = random.in(-1.57, 1.57), b = random.in(-1.57, 1.57);
-            const Rgb there = evalSurface(surface(material, a), at(b), at(a));
-            const Rgb back = evalSurface(surface(material, b), at(a), at(b));
+            const Rgb there = evalSurface(surface(row.material, a), at(b), at(a));
+            const Rgb back = evalSurface(surface(row.material, b), at(a), at(b));
             REQUIRE(there.x == doctest::Approx(back.x).epsilon(1e-9));
             REQUIRE(there.z == doctest::Approx(back.z).epsilon(1e-9));
         }
@@ -134,16 +134,17 @@ TEST_CASE("materials: light goes both ways alike") {
 
 TEST_CASE("materials: no more light leaves than arrives, from any angle") {
     Random random(5);
-    for (const auto& [name, material] : allMaterials())
+    for (const MaterialRow& row : allMaterials())
         for (int k = 0; k <= 40; ++k) {
             const double angle = -1.57 + 3.14 * k / 40.0;
-            const SurfacePoint point = surface(material, angle, std::string(name) != "glass from within");
+            const SurfacePoint point =
+                surface(row.material, angle, std::string(row.name) != "glass from within");
             Statistics sent;
             for (int i = 0; i < 4000; ++i) {
                 const auto way = sampleSurface(point, Carried::power, drawsFrom(random));
                 sent.add(way ? way->weight : Rgb(0.0));
             }
-            INFO(name << " at " << angle);
+            INFO(row.name << " at " << angle);
             for (int c = 0; c < 3; ++c) {
                 CHECK(sent.mean[c] <= 1.0 + kSweep * sent.standardError()[c] + 1e-12);
                 CHECK(sent.mean[c] >= 0.0);
@@ -153,9 +154,9 @@ TEST_CASE("materials: no more light leaves than arrives, from any angle") {
 
 TEST_CASE("materials: what is drawn sums to the integral of the BRDF") {
     Random random(6);
-    for (const auto& [name, material] : scatteringMaterials())
+    for (const MaterialRow& row : scatteringMaterials())
         for (const double angle : kIncidences) {
-            const SurfacePoint point = surface(material, angle);
+            const SurfacePoint point = surface(row.material, angle);
             const auto reflected = [&](double theta) {
                 return Integrals<1>{evalSurface(point, at(theta), point.from).x * std::cos(theta)};
             };
@@ -166,7 +167,7 @@ TEST_CASE("materials: what is drawn sums to the integral of the BRDF") {
                     const auto way = sampleSurface(point, Carried::radiance, drawsFrom(random), directions);
                     drawn.add(way && !way->isDelta() ? way->weight : Rgb(0.0));
                 }
-                INFO(name << " at " << angle);
+                INFO(row.name << " at " << angle);
                 CHECK(zTest(drawn, exact, 1e-9).within(kSweep));
                 // Five percent too much is told apart wherever the draws are sure to one percent.
                 if (drawn.standardError().x < 0.008 * exact)
@@ -215,8 +216,8 @@ TEST_CASE("materials: roughness 0 and 1, and between") {
 
 TEST_CASE("materials: which of them send light in one direction only") {
     Random random(8);
-    for (const auto& [name, material] : allMaterials()) {
-        const SurfacePoint point = surface(material, 0.5);
+    for (const MaterialRow& row : allMaterials()) {
+        const SurfacePoint point = surface(row.material, 0.5);
         int deltas = 0, draws = 0;
         for (int i = 0; i < 2000; ++i) {
             const auto way = sampleSurface(point, Carried::radiance, drawsFrom(random));
@@ -224,9 +225,9 @@ TEST_CASE("materials: which of them send light in one direction only") {
             ++draws;
             deltas += way->isDelta() ? 1 : 0;
         }
-        INFO(name);
-        const auto* mix = std::get_if<Mix>(&material);
-        if (isSpecular(material)) {
+        INFO(row.name);
+        const auto* mix = std::get_if<Mix>(&row.material);
+        if (isSpecular(row.material)) {
             CHECK(deltas == draws);
             CHECK(evalSurface(point, at(-0.5), at(0.5)) == Rgb(0.0));
             CHECK(pdfSurface(point, at(0.5), at(-0.5)) == 0.0);

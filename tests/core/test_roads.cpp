@@ -156,6 +156,30 @@ TEST_CASE("roads: the sun through a slab") {
     }
 }
 
+TEST_CASE("roads: tinted glass, straight through a slab") {
+    Scene scene;
+    scene.materials = {Dielectric{1.5, Rgb(0.3, 1.0, 4.0)}};
+    scene.segments = {wall({-9, 0}, {-9, 0.5}, 0), wall({-9, 0.5}, {9, 0.5}, 0), wall({9, 0.5}, {9, 0}, 0),
+                      wall({9, 0}, {-9, 0}, 0)};
+    scene.environment.radiance = Rgb(1.0);
+    // Bright below only, so that what the slab reflects does not count.
+    scene.environment.strip = {Rgb(0.0), Rgb(0.0), Rgb(1.0), Rgb(1.0)};
+    nameAll(scene);
+    Stage stage = staged("tinted", scene);
+    prepare(stage);
+    const double F = 0.04;
+    for (const char* id : {"path", "cast-ray", "bidirectional"}) {
+        const Film film = measure(stage, Look{{0.1, 2.0}, {0.0, -1.0}},
+                                  {.id = id, .maxDepth = 0, .samples = 200'000, .threads = 2});
+        for (int c = 0; c < 3; ++c) {
+            // All orders of inner reflection: (1 - F)^2 k / (1 - F^2 k^2).
+            const double k = std::exp(-0.5 * Rgb(0.3, 1.0, 4.0)[c]);
+            INFO(id << " channel " << c);
+            CHECK(zTest(film.pixels[0], (1 - F) * (1 - F) * k / (1 - F * F * k * k), 1e-9, c).within(kSweep));
+        }
+    }
+}
+
 TEST_CASE("roads: a glass disk under an even sky shows the sky") {
     CausticSetup setup;
     Scene scene = causticScene(setup, 256, true);

@@ -30,7 +30,32 @@ struct SceneCounts {
     std::array<std::uint64_t, kLightTypes.size()> lights{};
     std::size_t emitters = 0;
     std::optional<Extent> bounds;  ///< of the walls
+    std::array<std::uint64_t, kMaterialTypes.size()> materialsByType{};
+    std::string environment;  ///< in words
+    std::optional<Eye> eye;
+    std::vector<std::string> hidden;  ///< lamps that lie behind a wall in the same place, told in words
 };
+
+/// A lamp on a wall that was written before it: the wall is met, not the lamp (see SegmentIndex).
+std::vector<std::string> hiddenLamps(const SegmentIndex& index) {
+    std::vector<std::string> hidden;
+    const Scene& scene = index.scene();
+    for (const std::uint32_t lamp : index.emitters()) {
+        const double away = 1e-3 * index.length(lamp);
+        const Vec2 N = index.normal(lamp);
+        const Hit hit = index.closestHit({index.pointOn(lamp, 0.5) + away * N, -N});
+        if (!hit || hit.segment == lamp || std::abs(hit.t - away) > 1e-6 * away) continue;
+        hidden.push_back(fmt::format("\"{}\" lies on \"{}\", which is written before it and hides it",
+                                     scene.segmentNames[lamp], scene.segmentNames[hit.segment]));
+    }
+    return hidden;
+}
+
+std::string environmentWords(const Environment& environment) {
+    if (environment.radiance == Rgb(0.0)) return "black";
+    if (environment.strip.empty()) return "constant";
+    return fmt::format("a strip of {} angles", environment.strip.size());
+}
 
 SceneCounts countScene(const std::string& file) {
     const SceneDescription description = loadScene(file);
@@ -48,6 +73,10 @@ SceneCounts countScene(const std::string& file) {
     counts.materials = scene.materials.size();
     for (const DeltaLight& light : scene.lights) ++counts.lights[light.index()];
     counts.emitters = index.emitters().size();
+    for (const Material& material : scene.materials) ++counts.materialsByType[material.index()];
+    counts.environment = environmentWords(scene.environment);
+    counts.eye = scene.eye;
+    counts.hidden = hiddenLamps(index);
     for (const Segment& s : scene.segments) {
         Extent& extent = counts.bounds ? *counts.bounds : counts.bounds.emplace();
         extent.min = glm::min(extent.min, glm::min(s.a, s.b));
@@ -69,6 +98,12 @@ Json sceneJson(const SceneCounts& counts) {
     object["bounds"] = nullptr;
     if (counts.bounds)
         object["bounds"] = Json{{"min", jsonOf(counts.bounds->min)}, {"max", jsonOf(counts.bounds->max)}};
+    for (const auto& type : kMaterialTypes)
+        object["materialsByType"][std::string(type.name)] = counts.materialsByType[type.value];
+    object["environment"] = counts.environment;
+    object["eye"] = nullptr;
+    if (counts.eye) object["eye"] = Json{{"position", jsonOf(counts.eye->position)}};
+    object["hiddenLamps"] = counts.hidden;
     return object;
 }
 
@@ -77,7 +112,11 @@ std::string counted(std::uint64_t count, std::string_view noun) {
 }
 
 std::string tableOf(const SceneCounts& counts) {
-    std::string shapes, lights;
+    std::string shapes, lights, materials;
+    for (const auto& type : kMaterialTypes)
+        if (counts.materialsByType[type.value] > 0)
+            materials += fmt::format("{}{} {}", materials.empty() ? "" : ", ",
+                                     counts.materialsByType[type.value], type.name);
     for (std::size_t i = 0; i < kShapeKinds.size(); ++i)
         if (counts.shapes[i] > 0)
             shapes += fmt::format("  {:<11} {} of {}\n", "", counted(counts.segmentsByShape[i], "segment"),
@@ -87,9 +126,14 @@ std::string tableOf(const SceneCounts& counts) {
     std::string table = fmt::format("{}: a usable scene\n", counts.file);
     if (!counts.title.empty()) table += fmt::format("  {:<11} {}\n", "title", counts.title);
     table += fmt::format("  {:<11} {}\n{}", "segments", counts.segments, shapes);
-    table += fmt::format("  {:<11} {}\n", "materials", counts.materials);
+    table += fmt::format("  {:<11} {}\n", "materials", materials);
     table += fmt::format("  {:<11} {}\n", "lights", lights);
     table += fmt::format("  {:<11} {}\n", "emitters", counted(counts.emitters, "segment"));
+    table += fmt::format("  {:<11} {}\n", "environment", counts.environment);
+    if (counts.eye)
+        table +=
+            fmt::format("  {:<11} at {:g}, {:g}\n", "eye", counts.eye->position.x, counts.eye->position.y);
+    for (const std::string& lamp : counts.hidden) table += fmt::format("  {:<11} {}\n", "WARNING", lamp);
     if (counts.bounds) {
         const auto& [min, max] = *counts.bounds;
         table += fmt::format("  {:<11} x {:g} to {:g} m, y {:g} to {:g} m\n", "bounds", min.x, max.x, min.y,

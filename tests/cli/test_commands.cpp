@@ -99,8 +99,24 @@ TEST_CASE("scene check counts what is in the file") {
     const std::string table = runProgram({"scene", "check", sceneFile("room.toml")}).out;
     CHECK(holds(table, "12 segments of 1 circle"));
     CHECK(holds(table, "x -2 to 2 m, y 0 to 2 m"));
+    CHECK(holds(table, "2 diffuse"));
+    CHECK(counts["materialsByType"]["diffuse"] == 2);
+    CHECK(counts["hiddenLamps"].empty());
     CHECK(Json::parse(runProgram({"scene", "check", sceneFile("open_sky.toml"), "--json"}).out)["bounds"]
               .is_null());
+}
+
+TEST_CASE("scene check warns of a lamp that its ceiling hides") {
+    const TemporaryFolder folder;
+    const std::string ceiling = "[[segment]]\nname = \"ceiling\"\na = [2, 2]\nb = [0, 2]\n";
+    const std::string lamp = "[[segment]]\nname = \"lamp\"\na = [1.4, 2]\nb = [0.6, 2]\nemission = 1\n";
+    const auto warned = [&](const std::string& text) {
+        std::ofstream(folder / "scene.toml") << text;
+        return holds(runProgram({"scene", "check", folder / "scene.toml"}).out,
+                     "\"lamp\" lies on \"ceiling\", which is written before it and hides it");
+    };
+    CHECK(warned(ceiling + lamp));
+    CHECK_FALSE(warned(lamp + ceiling));
 }
 
 TEST_CASE("scene write saves an equal scene, and writing that again the same bytes") {

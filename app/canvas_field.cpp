@@ -1,6 +1,7 @@
 // The pictures that belong to the canvas: the field behind the scene with its legend, and where the eye
 // looks.
 #include <algorithm>
+#include <cmath>
 
 #include "app/canvas.h"
 #include "app/draw_text.h"

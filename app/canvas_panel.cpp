@@ -83,7 +83,9 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     beginChild("canvas", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const CanvasRect rect{origin, {origin.x + available.x, origin.y + available.y}};
-    const float buttons = 44 * ui.scale, legend = std::min(54 * ui.scale, 0.2f * available.y);
+    const bool twoLegends = state.shows(View::field) && state.shows(View::rays);
+    const float buttons = 44 * ui.scale, legend = std::min((twoLegends ? 80 : 54) * ui.scale,
+                                                           (twoLegends ? 0.34f : 0.2f) * available.y);
     // With the frame defect the sampled half-disk reaches out behind the wall: it must be in sight too.
     const bool mirrored = state.settings.defects.has(Defect::frame);
     const float margin = std::min((mirrored ? 84 : 56) * ui.scale, (mirrored ? 0.2f : 0.12f) * available.x);

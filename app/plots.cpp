@@ -95,8 +95,7 @@ void errorPlot(const Ui& ui, ImVec2 size) {
     const AppState& state = ui.state;
     if (!state.answer || state.answer->errors.size() < 2)
         return emptyPlot(ui, "error", kTitle, size,
-                         !state.answer || !state.answer->pointComplete ? "being measured"
-                                                                       : "no exact value to compare with");
+                         !state.answer || !state.answer->pointComplete ? "being measured" : "no exact value");
     const LightAnswer& answer = *state.answer;
     double low = 1e300, high = 0.0;
     for (const ErrorPoint& p : answer.errors) {

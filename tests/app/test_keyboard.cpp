@@ -50,10 +50,8 @@ void samplerAndEmitters(Rig& rig) {
     CHECK(state(rig).settings.sampler != before.sampler);
     rig.driver.pressKey(Key::e);
     CHECK(state(rig).settings.emitters != before.emitters);
-    for (int i = 0; i < 2; ++i) {
-        rig.driver.pressKey(Key::m);
-        rig.driver.pressKey(Key::e);
-    }
+    for (std::size_t i = 1; i < kSamplers.size(); ++i) rig.driver.pressKey(Key::m);
+    for (std::size_t i = 1; i < kEmitters.size(); ++i) rig.driver.pressKey(Key::e);
     CHECK(state(rig).settings == before);
 }
 

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "app/light_job.h"
 #include "lessons/scene_file.h"
@@ -142,6 +143,32 @@ TEST_CASE("pictures are kept while P moves, and made anew for another seed or de
     const auto deeper = answerTo(job, asked);
     CHECK(deeper->field != reseeded->field);
     CHECK(deeper->complete);
+}
+
+TEST_CASE("below the glass disk castRay and the eye find exactly nothing, and the field finds the caustic") {
+    Rig rig(openLesson(courseLessons(), LessonRef{"caustic", 3}));
+    const LightAnswer& answer = *rig.state().answer;
+    CHECK(answer.estimate.total() == Rgb(0.0));
+    REQUIRE((answer.eye && answer.field));
+    const auto cellAt = [&](Vec2 p) {
+        const Field& field = std::get<Field>(answer.field->sensor);
+        const Vec2 place = (p - field.min) / (field.max - field.min) * Vec2(field.width, field.height);
+        const auto row = field.height - 1 - static_cast<std::uint32_t>(place.y);
+        return answer.field->film.pixels[row * field.width + static_cast<std::uint32_t>(place.x)].mean.x;
+    };
+    constexpr double kSun = 1.0;  // W/m, of the scene
+    CHECK(cellAt({0.0, 0.1}) > 2.0 * kSun);
+    CHECK(cellAt({0.8, 0.1}) < 0.5 * kSun);
+    // What the eye sees of the floor, in the disk's shadow (its radius is 1) and far to the side of it.
+    const EyeStrip& strip = std::get<EyeStrip>(answer.eye->sensor);
+    const auto radianceFrom = [&](Vec2 p) {
+        const Receiver receiver = *fixedReceiver(answer.eye->sensor, rig.state().scene->index);
+        const Response response = responseTo(receiver, glm::normalize(p - strip.eye.position));
+        REQUIRE(response.weight > 0.0);
+        return answer.eye->film.pixels[response.pixel].mean.x;
+    };
+    CHECK(radianceFrom({-0.7, 0.0}) == 0.0);
+    CHECK(radianceFrom({-2.0, 0.0}) == doctest::Approx(0.5 * kSun / 2.0).epsilon(1e-9));
 }
 
 TEST_CASE("without the wish for them there are no pictures") {

@@ -67,7 +67,7 @@ Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, uint32_t depth,
             const Vec2 L = light.L;  // 007
             const Rgb L_i = light.L_i * transmittance(scene, at.medium, light.distance) *
                             (weightOf(light, settings, at) * favour(at.lobe, N, L));  // 008
-            // we assume the surface at P is diffuse
+            // on a diffuse wall favour is 1
             const double visible = shadowRay(at, light);
             directLightContrib += visible * std::max(0.0, dot(N, L)) * L_i / draws.size();  // 010
             see.light(i, n, light, visible, directLightContrib);

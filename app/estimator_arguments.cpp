@@ -22,6 +22,14 @@ std::size_t paramOfName(const EstimatorInfo& info, std::string_view text, std::s
                  fmt::format("names no parameter of {}, {}", info.id, expectedOneOf(name, names)));
 }
 
+/// Whole numbers, also those below zero.
+std::optional<double> signedWhole(std::string_view text) {
+    const bool negative = !text.empty() && text.front() == '-';
+    const auto whole = parseWhole(negative ? text.substr(1) : text);
+    if (!whole) return std::nullopt;
+    return negative ? -static_cast<double>(*whole) : static_cast<double>(*whole);
+}
+
 double valueOf(const ParamInfo& param, std::string_view text, std::string_view value) {
     if (!param.choices.empty()) {
         const auto found = std::find(param.choices.begin(), param.choices.end(), value);
@@ -30,10 +38,7 @@ double valueOf(const ParamInfo& param, std::string_view text, std::string_view v
                      fmt::format("is no choice of {}, {}", param.name,
                                  expectedOneOf(value, {param.choices.begin(), param.choices.end()})));
     }
-    const auto whole = param.whole ? parseWhole(value) : std::nullopt;
-    const auto number = whole         ? std::optional(static_cast<double>(*whole))
-                        : param.whole ? std::nullopt
-                                      : parseNumber(value);
+    const auto number = param.whole ? signedWhole(value) : parseNumber(value);
     if (!number || *number < param.least || *number > param.most)
         failArgument(kOption, text, fmt::format("has a wrong value, expected {}", paramRange(param)));
     return *number;

@@ -122,6 +122,30 @@ Rgb albedoOf(const SegmentIndex& index, std::uint32_t segment) {
     return diffuse ? diffuse->albedo : Rgb(0.0);
 }
 
+ShadedPoint frontOf(const SegmentIndex& index, std::uint32_t segment, double t) {
+    return {index.pointOn(segment, t), index.normal(segment), segment, albedoOf(index, segment)};
+}
+
+std::optional<ShadedPoint> placeOf(const SegmentIndex& index, Vec2 P, std::optional<Vec2> normal) {
+    if (normal) normal = glm::normalize(*normal);
+    const NearestWall wall = wallAt(index, P, normal);
+    const bool onWall = wall.segment != kNoSegment;
+    if (!normal && !onWall) return std::nullopt;
+    if (!onWall) return ShadedPoint{P, *normal};
+
+    const ShadedPoint front = frontOf(index, wall.segment, wall.t);
+    if (!normal || sameDirection(*normal, front.N)) return front;
+    if (sameDirection(*normal, -front.N)) return ShadedPoint{front.P, -front.N, front.segment, front.albedo};
+    // A tilted half-disk reaches below the wall: stand clearly on its side and let the wall block what is
+    // below.
+    const double side = glm::dot(*normal, front.N) < 0.0 ? -1.0 : 1.0;
+    return ShadedPoint{front.P + front.N * (side * index.originShift(wall.segment)), *normal};
+}
+
+std::uint32_t mediumInFrontOf(const SegmentIndex& index, const ShadedPoint& at) {
+    return mediumAt(index, at.segment == kNoSegment ? at.P : originOff(index, at.segment, at.P, at.N));
+}
+
 }  // namespace
 
 Estimate estimateIrradiance(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
@@ -150,23 +174,15 @@ double raysPerRepeat(const SegmentIndex& index, const Settings& settings) {
 }
 
 std::optional<ShadedPoint> shadedPointAt(const SegmentIndex& index, Vec2 P, std::optional<Vec2> normal) {
-    if (normal) normal = glm::normalize(*normal);
-    const NearestWall wall = wallAt(index, P, normal);
-    const bool onWall = wall.segment != kNoSegment;
-    if (!normal && !onWall) return std::nullopt;
-    if (!onWall) return ShadedPoint{P, *normal};
-
-    const ShadedPoint front = shadedPointOn(index, wall.segment, wall.t);
-    if (!normal || sameDirection(*normal, front.N)) return front;
-    if (sameDirection(*normal, -front.N)) return ShadedPoint{front.P, -front.N, front.segment, front.albedo};
-    // A tilted half-disk reaches below the wall: stand clearly on its side and let the wall block what is
-    // below.
-    const double side = glm::dot(*normal, front.N) < 0.0 ? -1.0 : 1.0;
-    return ShadedPoint{front.P + front.N * (side * index.originShift(wall.segment)), *normal};
+    auto at = placeOf(index, P, normal);
+    if (at) at->medium = mediumInFrontOf(index, *at);
+    return at;
 }
 
 ShadedPoint shadedPointOn(const SegmentIndex& index, std::uint32_t segment, double t) {
-    return {index.pointOn(segment, t), index.normal(segment), segment, albedoOf(index, segment)};
+    ShadedPoint at = frontOf(index, segment, t);
+    at.medium = mediumInFrontOf(index, at);
+    return at;
 }
 
 Rgb outgoingRadiance(const SegmentIndex& index, const ShadedPoint& at, const Rgb& irradiance,

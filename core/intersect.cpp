@@ -45,6 +45,7 @@ SegmentIndex::SegmentIndex(const Scene& scene) : scene_(&scene) {
         const double shift = kShiftRoundings * std::numeric_limits<double>::epsilon() * largest;
         edges_.push_back({flipped ? s.b : s.a, flipped ? s.a : s.b, frontNormal(s), glm::length(s.b - s.a),
                           shift, flipped});
+        hasGlass_ = hasGlass_ || std::holds_alternative<Dielectric>(scene.materials[s.material]);
         if (isEmitter(s)) emitters_.push_back(static_cast<std::uint32_t>(i));
     }
 }

@@ -57,6 +57,7 @@ class SegmentIndex {
     const Scene& scene() const { return *scene_; }
     /// Radiance that a ray in this direction meets if it meets no wall.
     Rgb environment(Vec2 direction) const { return radianceFrom(scene_->environment, direction); }
+    bool hasGlass() const { return hasGlass_; }
     const std::vector<std::uint32_t>& emitters() const {
         return emitters_;
     }  ///< segments that emit, ascending
@@ -92,6 +93,7 @@ class SegmentIndex {
     const Scene* scene_;
     std::vector<Edge> edges_;
     std::vector<std::uint32_t> emitters_;
+    bool hasGlass_ = false;
 };
 
 }  // namespace halfdisk

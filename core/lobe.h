@@ -3,7 +3,7 @@
 //
 // castRay gathers over the half-disk and multiplies by albedo / 2 at the end, as the published listing does
 // for diffuse walls. Seen so, a glossy wall is the same wall with favourites: albedo cos^n / I(n + 1) =
-// albedo / 2 times 2 cos^n / I(n + 1), which is 1 for n = 0.
+// albedo / 2 times 2 cos^n / I(n + 1), where a matt wall has 1.
 #pragma once
 
 #include "surface.h"
@@ -11,19 +11,20 @@
 namespace halfdisk {
 
 struct Lobe {
-    double exponent = 0.0;  ///< of the cosine of the angle to `axis`; 0: diffuse
+    double exponent = 0.0;  ///< of the cosine of the angle to `axis`
     double scale = 1.0;     ///< 2 / I(exponent + 1)
-    Vec2 axis{0.0};         ///< mirror direction of the ray that met the wall, unit
+    Vec2 axis{0.0};         ///< mirror direction of the ray that met the wall, unit; zero: a matt wall
     Vec2 round{0.0};        ///< normal of the round thing that the wall is a facet of; zero: flat
 
-    bool isEven() const { return exponent == 0.0 && round == Vec2(0.0); }
+    bool isMatt() const { return axis == Vec2(0.0); }
+    bool isEven() const { return isMatt() && round == Vec2(0.0); }
 };
 
 /// Mean 1 over the directions, weighed by their cosine, at normal incidence. N: of the flat wall.
 inline double favour(const Lobe& lobe, Vec2 N, Vec2 L) {
     if (lobe.isEven()) return 1.0;
     double factor = lobe.scale;
-    if (lobe.exponent > 0.0) factor *= lobeShape(lobe.exponent, lobe.axis, L);
+    if (!lobe.isMatt()) factor *= lobeShape(lobe.exponent, lobe.axis, L);
     if (lobe.round == Vec2(0.0)) return factor;
     const double height = glm::dot(N, L);
     return height > 0.0 ? factor * std::max(0.0, glm::dot(lobe.round, L)) / height : 0.0;
@@ -35,7 +36,6 @@ inline Lobe lobeOf(const Diffuse&, const SurfacePoint& at) {
 }
 inline Lobe lobeOf(const Glossy& wall, const SurfacePoint& at) {
     Lobe lobe = lobeOf(Diffuse{}, at);
-    if (wall.exponent == 0.0) return lobe;
     lobe.exponent = wall.exponent;
     lobe.scale = 2.0 / lobeIntegral(wall.exponent + 1.0);
     lobe.axis = mirrored(at.from, at.round);

@@ -172,7 +172,8 @@ std::string faultOf(const Sensor& sensor, const SegmentIndex& index) {
             return "the profile names a wall twice";
     }
     if (const auto* field = std::get_if<Field>(&sensor))
-        if (!(field->min.x < field->max.x && field->min.y < field->max.y)) return "the field has no area";
+        if (!(field->max.x - field->min.x > 1e-12 && field->max.y - field->min.y > 1e-12))
+            return "the field has no area";
     if (const auto* strip = std::get_if<EyeStrip>(&sensor))
         if (!(strip->eye.fov > 0.0 && strip->eye.fov < kPi))
             return "the eye's field of view is not between 0 and 180 degrees";

@@ -154,6 +154,7 @@ Rgb transmittance(const SegmentIndex& index, std::uint32_t medium, double distan
 }
 
 std::uint32_t mediumAt(const SegmentIndex& index, Vec2 P) {
+    if (!index.hasGlass()) return kNoMedium;
     const Scene& scene = index.scene();
     // Any direction will do; this one is unlikely to run along a wall or through a vertex.
     const Vec2 direction = glm::normalize(Vec2(0.8191520442889918, 0.573576436351046));

@@ -127,7 +127,7 @@ inline bool isSpecularFor(const SurfacePoint& met, double coin) {
 
 /// 1/rad, with which drawHalfDisk draws a direction L above the wall.
 inline double pdfHalfDisk(Sampler sampler, const ShadedPoint& at, Vec2 L) {
-    if (sampler != Sampler::lobe || at.lobe.exponent == 0.0) return pdfHalfDisk(sampler, glm::dot(at.N, L));
+    if (sampler != Sampler::lobe || at.lobe.isMatt()) return pdfHalfDisk(sampler, glm::dot(at.N, L));
     return lobeShape(at.lobe.exponent, at.lobe.axis, L) / lobeIntegral(at.lobe.exponent);
 }
 
@@ -163,7 +163,7 @@ inline SampleRange drawsOf(const SegmentIndex& index, std::uint32_t light, Emitt
 inline HalfDiskSample drawHalfDisk(const Settings& settings, const ShadedPoint& at, const Rng& rng,
                                    std::uint32_t n, std::uint32_t N) {
     const double u = rng.uniform(n, 0);
-    if (settings.sampler != Sampler::lobe || at.lobe.exponent == 0.0)
+    if (settings.sampler != Sampler::lobe || at.lobe.isMatt())
         return sampleHalfDisk(settings.sampler, u, n, N);
     const double angle = sampleLobeAngle(at.lobe.exponent, u, rng.uniform(n, kOwnSample));
     const double axis = std::atan2(glm::dot(at.lobe.axis, at.N), cross(at.lobe.axis, at.N));

@@ -3,7 +3,8 @@
 // The lobe of Phong (1975) in its energy-conserving, reciprocal form (Lafortune & Willems 1994, "Using the
 // modified Phong reflectance model for physically based rendering"), brought to the plane: f = albedo
 // cos^n(a) / I(n + 1), a the angle to the mirror direction and I(n) the integral of cos^n over (-pi/2, pi/2).
-// With n = 0 it is Lambert's.
+// With n = 0 it is even, but still cut at a right angle from the mirror direction: Lambert's at normal
+// incidence only.
 #pragma once
 
 #include "core/materials/scattering.h"
@@ -13,15 +14,15 @@ namespace halfdisk {
 struct Glossy {
     Rgb albedo{0.8};  ///< reflected / arriving power at normal incidence; less at a slant, where the wall
                       ///< cuts the lobe
-    double exponent = 20.0;  ///< n >= 0: 0 is diffuse, large is nearly a mirror
+    double exponent = 20.0;  ///< n >= 0: 0 is the broadest lobe, large is nearly a mirror
     bool operator==(const Glossy&) const = default;
 };
 
 inline constexpr double kMostExponent = 1e6;
 
-/// Exponent of a roughness r in 0 ... 1: n = 2 / r^2 - 2, so that 1 is diffuse (n = 0) and a lobe's width,
-/// about sqrt(1/n) rad, grows as r. Limited to kMostExponent, which r = 0.0014 and below reach: a true mirror
-/// is a Mirror.
+/// Exponent of a roughness r in 0 ... 1: n = 2 / r^2 - 2, so that 1 is the broadest lobe (n = 0) and a lobe's
+/// width, about sqrt(1/n) rad, grows as r. Limited to kMostExponent, which r = 0.0014 and below reach: it is
+/// a narrow lobe still, and sends less at a slant; a true mirror is a Mirror.
 inline double exponentOfRoughness(double roughness) {
     const double square = roughness * roughness;
     return square * (kMostExponent + 2.0) <= 2.0 ? kMostExponent : std::max(0.0, 2.0 / square - 2.0);

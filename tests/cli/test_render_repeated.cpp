@@ -69,6 +69,16 @@ TEST_CASE("the command in a file gives the same file again") {
                   "cast-ray", "--param", "samples=3", "--samples", "5", "--specular", "7"});
 }
 
+TEST_CASE("every estimator's file names a command that gives it again") {
+    for (const halfdisk::EstimatorInfo* info : halfdisk::estimators()) {
+        CAPTURE(info->id);
+        const std::string depth = info->id == "closed-form" ? "0" : "1";
+        if (info->sensors & halfdisk::kProfileBit)
+            checkRepeats({"profile", sceneFile("segment_light.toml"), "--walls", "floor", "--estimator",
+                          std::string(info->id), "--depth", depth, "--samples", "3", "--width", "5"});
+    }
+}
+
 TEST_CASE("a result of --seconds is repeated by the number of its samples") {
     checkRepeats({"eye", sceneFile("seen_room.toml"), "--width", "30", "--seconds", "0.02"});
 }

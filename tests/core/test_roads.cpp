@@ -180,6 +180,68 @@ TEST_CASE("roads: tinted glass, straight through a slab") {
     }
 }
 
+TEST_CASE("roads: a point in absorbing glass loses light on the way to it, by every estimator") {
+    // A disk of index 1 and absorption 1/m about the point: what arrives has run one metre in it.
+    CausticSetup setup;
+    setup.ior = 1.0;
+    Scene scene = causticScene(setup, 256, true);
+    scene.segments.pop_back();
+    scene.segmentNames.pop_back();
+    scene.lights.clear();
+    scene.materials[0] = Dielectric{1.0, Rgb(1.0)};
+    scene.environment = Rgb(1.0);
+    Stage sky = staged("tinted disk", scene);
+    scene.environment = Rgb(0.0);
+    scene.lights = {PointLight{{0.5, setup.height}, Rgb(1.0)}};
+    Stage bulb = staged("bulb in the disk", scene);
+    prepare(sky);
+    prepare(bulb);
+    const Vec2 middle(0.0, setup.height);
+    const auto probed = [&](const Stage& stage, Vec2 normal) {
+        return Probe{*shadedPointAt(*stage.index, middle, normal)};
+    };
+    const EstimateOptions options{.repeats = 400};
+    for (const char* id : {"cast-ray", "path"}) {
+        INFO(id);
+        // 256 facets are nearer than the circle by one part in 20 000 on average.
+        CHECK(
+            zTest(measure(sky, probed(sky, {0, 1}), {.id = id, .maxDepth = 0, .samples = 100'000}).pixels[0],
+                  2.0 / std::exp(1.0), 1e-4)
+                .within(kSingle));
+        CHECK(
+            measure(bulb, probed(bulb, {1, 0}), {.id = id, .maxDepth = 0, .samples = 100}).pixels[0].mean.x ==
+            doctest::Approx(2.0 * std::exp(-0.5)));
+    }
+    Settings settings;
+    settings.maxDepth = 0;
+    const Estimate probe = estimateIrradiance(*sky.index, probed(sky, {0, 1}).at, settings, options);
+    CHECK(zTest(probe.repeats, 2.0 / std::exp(1.0), 1e-4).within(kSingle));
+}
+
+TEST_CASE("roads: the broadest lobe is the same for the recursion and for paths") {
+    Scene scene;
+    scene.materials = {Glossy{Rgb(0.8), 0.0}};
+    scene.segments = {wall({-5, 0}, {5, 0}, 0)};
+    scene.environment = Rgb(1.0);
+    nameAll(scene);
+    Stage stage = staged("broad", scene);
+    prepare(stage);
+    // Seen at 60 degrees the lobe is cut at 90 degrees from the mirror direction: f = 0.4 over -30 ... 90
+    // degrees.
+    const double exact = 0.4 * (1.0 + std::sin(kPi / 6));
+    const Sensor look = Look{{-std::sqrt(3.0) / 2, 0.5}, {std::sqrt(3.0) / 2, -0.5}};
+    for (const double sampler : {0.0, 1.0, 3.0})
+        CHECK(
+            zTest(measure(
+                      stage, look,
+                      {.id = "cast-ray", .params = {{"sampler", sampler}}, .maxDepth = 0, .samples = 40'000})
+                      .pixels[0],
+                  exact)
+                .within(kSingle));
+    CHECK(zTest(measure(stage, look, {.id = "path", .maxDepth = 0, .samples = 100'000}).pixels[0], exact)
+              .within(kSingle));
+}
+
 TEST_CASE("roads: a glass disk under an even sky shows the sky") {
     CausticSetup setup;
     Scene scene = causticScene(setup, 256, true);

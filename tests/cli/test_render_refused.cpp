@@ -111,7 +111,7 @@ TEST_CASE("refused: how long to work") {
     checkEyeRefused({"--specular", "1001"}, "halfdisk: --specular: '1001' is not a whole number from 0 to");
     checkEyeRefused({"--threads", "0"}, "halfdisk: --threads: '0' is not a whole number from 1 to 256\n");
     checkEyeRefused({"--seed", "-1"}, "halfdisk: --seed: '-1' is not a whole number");
-    checkEyeRefused({"--exposure", "1001"}, "halfdisk: --exposure: '65' is not a number from -64 to 64\n");
+    checkEyeRefused({"--exposure", "65"}, "halfdisk: --exposure: '65' is not a number from -64 to 64\n");
 }
 
 TEST_CASE("refused: files that could not be written") {

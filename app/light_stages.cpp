@@ -176,7 +176,8 @@ void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     const bool diffuse = std::holds_alternative<Diffuse>(scene.index.material(answer.point.segment));
     answer.radiance.reset();
     if (diffuse)
-        answer.radiance = outgoingRadiance(scene.index, answer.point, answer.estimate.total(), asked.settings.defects);
+        answer.radiance =
+            outgoingRadiance(scene.index, answer.point, answer.estimate.total(), asked.settings.defects);
     auto record = std::make_shared<Record>(recorder.take());
     record->rays = answer.rays;
     const Statistics own = ownSamples(*record, asked.settings.samples, answer.contributions);

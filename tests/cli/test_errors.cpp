@@ -60,7 +60,8 @@ TEST_CASE("refused: values of the probe") {
     checkProbeRefused({"--samples="}, "halfdisk: --samples= lacks a value");
     checkProbeRefused({"--samples"}, "halfdisk: --samples: 1 required N missing");
     checkProbeRefused({"--samples", "1", "--samples", "2"}, "halfdisk: --samples");
-    checkProbeRefused({"--depth", "1001"}, "halfdisk: --depth: '1001' is not a whole number from 0 to 1000\n");
+    checkProbeRefused({"--depth", "1001"},
+                      "halfdisk: --depth: '1001' is not a whole number from 0 to 1000\n");
     checkProbeRefused({"--seed", "18446744073709551616"}, "halfdisk: --seed: '18446744073709551616' is not");
     checkProbeRefused({"--repeat", "0"}, "halfdisk: --repeat: '0' is not a whole number from 1");
     checkProbeRefused({"--threads", "0"}, "halfdisk: --threads: '0' is not a whole number from 1 to 256\n");

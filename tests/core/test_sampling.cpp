@@ -87,8 +87,9 @@ TEST_CASE("sampling: the pdf returned with a sample is the pdf of its angle") {
         const double u = random.in(0.0, 1.0);
         for (const auto& [sampler, name, meaning] : kSamplers) {
             const auto [theta, pdfAngle] = sampleHalfDisk(sampler, u, 3, 8);
-            const double pdf =
-                sampler == Sampler::cosine || sampler == Sampler::lobe ? pdfCosineHalfDisk(theta) : pdfUniformHalfDisk(theta);
+            const double pdf = sampler == Sampler::cosine || sampler == Sampler::lobe
+                                   ? pdfCosineHalfDisk(theta)
+                                   : pdfUniformHalfDisk(theta);
             REQUIRE(pdfAngle == doctest::Approx(pdf).epsilon(1e-14));
             REQUIRE(pdfAngle == doctest::Approx(pdfHalfDisk(sampler, std::sin(theta))).epsilon(1e-14));
         }

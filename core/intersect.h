@@ -1,40 +1,24 @@
-// Which wall does a ray meet first, and is the way to a light free? Brute force over all segments: simple and
-// clear.
+// Which wall does a ray meet first, and is the way to a light free?
 //
-// The test is the sign of cross(d, p - o) at both endpoints p: the ray's line separates them iff the signs
-// differ. Zero counts as positive, and neighbours share their vertex bit for bit, so of two neighbours
-// exactly one is hit: nothing leaks between them and nothing is hit twice.
+// Decided wall by wall in double precision (index/crossing.h); single precision and a tree of boxes only
+// spare walls that cannot be met.
 #pragma once
 
-#include <cstdint>
-#include <limits>
-#include <optional>
+#include <span>
 #include <vector>
 
-#include "scene.h"
+#include "core/index/build.h"
+#include "core/index/kernels.h"
 
 namespace halfdisk {
 
-inline constexpr std::uint32_t kNoSegment = 0xFFFFFFFF;
-inline constexpr std::uint32_t kNoMedium = 0xFFFFFFFF;
-inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Ray {
-    Vec2 origin;                       ///< m
-    Vec2 direction;                    ///< need not be of unit length; t counts in its length
-    std::uint32_t skip = kNoSegment;   ///< the straight wall that the ray leaves, which it cannot meet again
-    double pdfAngle = 0.0;             ///< density (1/rad) by which a half-disk drew it; 0: aimed, not drawn
-    std::uint32_t medium = kNoMedium;  ///< the glass (an index into Scene::materials) that it runs in
-    std::uint32_t speculars = 0;       ///< mirror and glass events in a row that it comes from
-};
-
-struct Hit {
-    std::uint32_t segment = kNoSegment;
-    double t = kInfinity;  ///< along the ray, in lengths of its direction
-    double u = 0.0;        ///< along the segment, 0 at a and 1 at b
-    bool front = false;    ///< the ray came from the front side (left of a->b)
-
-    explicit operator bool() const { return segment != kNoSegment; }
+/// How the walls that a ray may meet are found. All give the same hits, to the bit.
+enum class IndexMethod : std::uint8_t {
+    automatic,   ///< what is fastest for so many walls
+    everyWall,   ///< every wall in double precision, one after the other
+    bruteForce,  ///< every wall in single precision, several at a time; the few that may be met in double
+    tree,        ///< the same for the walls in boxes that the ray enters
+    grid,        ///< the same for the walls in cells that the ray goes through, one after the other
 };
 
 /// A scene made ready for rays. Keeps a pointer to the scene, which must outlive it and stay as it is.
@@ -42,7 +26,9 @@ class SegmentIndex {
  public:
     /// Throws std::invalid_argument for a zero-length or non-finite segment or a material that does not
     /// exist.
-    explicit SegmentIndex(const Scene& scene);
+    explicit SegmentIndex(const Scene& scene, IndexMethod method = IndexMethod::automatic);
+    SegmentIndex(SegmentIndex&&) = default;
+    SegmentIndex& operator=(SegmentIndex&&) = default;
 
     /// First wall at t > 0. Of walls that lie on each other there (within rounding) the one that faces the
     /// ray is met, then the lower index.
@@ -54,7 +40,19 @@ class SegmentIndex {
     /// ray.skip by its originShift.
     bool occluded(const Ray& ray, double tMax, std::uint32_t lamp = kNoSegment) const;
 
+    /// The same for many rays at once; `hits` is as long as `rays`.
+    void closestHits(std::span<const Ray> rays, std::span<Hit> hits) const;
+
+    /// The same for rays that start at one place, in order of their angle: an eye's strip, a half-disk.
+    void closestHitsFan(std::span<const Ray> rays, std::span<Hit> hits) const;
+
+    /// Of many ways at once to points at tMax, or without end.
+    void occluded(std::span<const Ray> rays, std::span<const double> tMax,
+                  std::span<std::uint8_t> answers) const;
+
     const Scene& scene() const { return *scene_; }
+    IndexMethod method() const { return method_; }        ///< the one in use, not `automatic`
+    std::size_t bytes() const { return store_.bytes(); }  ///< of what finds the walls, the scene itself apart
     /// Radiance that a ray in this direction meets if it meets no wall.
     Rgb environment(Vec2 direction) const { return radianceFrom(scene_->environment, direction); }
     bool hasGlass() const { return hasGlass_; }
@@ -67,7 +65,7 @@ class SegmentIndex {
     }
     double length(std::uint32_t segment) const { return edges_[segment].length; }
 
-    /// Point at u of a segment, kept away from both ends by `endMargin` so that it stays inside sharp corners
+    /// Point at u of a segment, kept away from both ends so that it stays inside sharp corners
     /// too.
     Vec2 pointOn(std::uint32_t segment, double u) const;
 
@@ -76,21 +74,18 @@ class SegmentIndex {
 
  private:
     struct Edge {
-        Vec2 p, q;           // the endpoints in lexicographic order: coincident walls give bit-equal t
         Vec2 normal;         // of the front side
         double length;       // m
         double originShift;  // m
-        bool flipped;        // p is b
     };
 
-    struct Crossing {
-        double t, u;  // u from p to q
-        bool front;
-    };
-    static std::optional<Crossing> cross(const Edge& edge, const Ray& ray);
-    double tieWidth(const Edge& edge, const Ray& ray, double shifts) const;
+    void build();
 
     const Scene* scene_;
+    IndexMethod method_;
+    const Kernels* kernels_;
+    IndexStore store_;
+    IndexView view_;
     std::vector<Edge> edges_;
     std::vector<std::uint32_t> emitters_;
     bool hasGlass_ = false;

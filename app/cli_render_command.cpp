@@ -116,8 +116,8 @@ std::string footerOf(PictureSensor sensor) {
         "A depth of D gives irradiance and fluence of light scattered at most D times, and radiance of D + "
         "1; "
         "mirrors and glass do not count.\nThe result depends on the seed, not on the threads. Ctrl-C ends "
-        "the work after the samples under way and writes what is done (exit code 130); a second Ctrl-C ends "
-        "at once.\n\nEstimators (halfdisk estimators tells all of them):\n{}\nFiles:\n{}\nExamples:\n{}",
+        "the work at once and writes the samples that are done (exit code 130).\n\nEstimators (halfdisk "
+        "estimators tells all of them):\n{}\nFiles:\n{}\nExamples:\n{}",
         describedEstimators(), formats, examplesOf(sensor));
 }
 

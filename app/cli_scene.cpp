@@ -29,6 +29,8 @@ struct SceneCounts {
     std::size_t materials = 0;
     std::array<std::uint64_t, kLightTypes.size()> lights{};
     std::size_t emitters = 0;
+    IndexMethod method{};  ///< by which its walls are found
+    InstructionSet instructions{};
     std::optional<Extent> bounds;  ///< of the walls
     std::array<std::uint64_t, kMaterialTypes.size()> materialsByType{};
     std::string environment;  ///< in words
@@ -73,6 +75,8 @@ SceneCounts countScene(const std::string& file) {
     counts.materials = scene.materials.size();
     for (const DeltaLight& light : scene.lights) ++counts.lights[light.index()];
     counts.emitters = index.emitters().size();
+    counts.method = index.method();
+    counts.instructions = index.instructions();
     for (const Material& material : scene.materials) ++counts.materialsByType[material.index()];
     counts.environment = environmentWords(scene.environment);
     counts.eye = scene.eye;
@@ -95,6 +99,8 @@ Json sceneJson(const SceneCounts& counts) {
     object["materials"] = counts.materials;
     for (const auto& type : kLightTypes) object["lights"][std::string(type.name)] = counts.lights[type.value];
     object["emitters"] = counts.emitters;
+    object["index"] = nameOf(kIndexMethods, counts.method);
+    object["instructions"] = nameOf(kInstructionSets, counts.instructions);
     object["bounds"] = nullptr;
     if (counts.bounds)
         object["bounds"] = Json{{"min", jsonOf(counts.bounds->min)}, {"max", jsonOf(counts.bounds->max)}};
@@ -126,6 +132,8 @@ std::string tableOf(const SceneCounts& counts) {
     std::string table = fmt::format("{}: a usable scene\n", counts.file);
     if (!counts.title.empty()) table += fmt::format("  {:<11} {}\n", "title", counts.title);
     table += fmt::format("  {:<11} {}\n{}", "segments", counts.segments, shapes);
+    table += fmt::format("  {:<11} found by {}, {}\n", "", nameOf(kIndexMethods, counts.method),
+                         nameOf(kInstructionSets, counts.instructions));
     table += fmt::format("  {:<11} {}\n", "materials", materials);
     table += fmt::format("  {:<11} {}\n", "lights", lights);
     table += fmt::format("  {:<11} {}\n", "emitters", counted(counts.emitters, "segment"));

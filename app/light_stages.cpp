@@ -19,12 +19,10 @@ const PreparedScene& sceneOf(const LightAnswer& answer) {
 }
 
 /// Observer that keeps what each first-bounce sample adds.
-struct ContributionObserver : NoObserver {
+struct ContributionObserver : CancelObserver {
     std::vector<double>* values;
-    const std::atomic<bool>* cancelled;
     std::uint32_t depth = 0;
 
-    bool keepGoing() const { return !cancelled->load(std::memory_order_relaxed); }
     void enter(const ShadedPoint&, std::uint32_t at) { depth = at; }
     void leave(const ShadedPoint&, const Irradiance&) { depth = depth > 0 ? depth - 1 : 0; }
     void accumulate(std::uint32_t, const Rgb& added, const Rgb&) {
@@ -64,7 +62,7 @@ void runMany(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     const Estimate many = estimateIrradiance(sceneOf(answer).index, answer.point, settings, options);
     answer.runs = many.repeats;
     answer.histogramOf.clear();
-    ContributionObserver observer{{}, &answer.histogramOf, &cancelled};
+    ContributionObserver observer{{{}, &cancelled}, &answer.histogramOf};
     std::uint64_t rays = 0;
     for (std::uint64_t run = 0; run < options.repeats && observer.keepGoing(); ++run)
         gatherOnce(sceneOf(answer).index, answer.point, settings, run, SampleRange::all(settings.samples),
@@ -168,7 +166,7 @@ void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     if (asked.settings.defects != DefectSet{}) {
         Settings corrected = asked.settings;
         corrected.defects = {};
-        NoObserver observer;
+        CancelObserver observer{{}, &cancelled};
         std::uint64_t uncounted = 0;
         answer.corrected = gatherOnce(scene.index, answer.point, corrected, 0,
                                       SampleRange::all(corrected.samples), observer, uncounted);

@@ -17,10 +17,15 @@ std::string counted(std::uint64_t passes) {
     return fmt::format("{} sample{}", passes, passes == 1 ? "" : "s");
 }
 
+/// Null if it was called off.
 std::unique_ptr<Estimator> makeOrRefuse(const EstimatorInfo& info, const Problem& problem,
                                         const ParamValues& params) {
     try {
+        if (const std::string refusal = refusalOf(info, problem, params); !refusal.empty())
+            throw InputError(refusal);
         return info.make(problem, params);
+    } catch (const Stopped&) {
+        return nullptr;
     } catch (const std::invalid_argument& refusal) {
         throw InputError(refusal.what());
     }
@@ -61,21 +66,19 @@ double shareDone(std::uint64_t passes, double elapsed, const MeasureLimits& limi
 Measurement measure(const EstimatorInfo& info, const Problem& problem, const ParamValues& params,
                     const MeasureLimits& limits, const std::function<bool()>& stop,
                     std::vector<Rgb>* firstPixels) {
-    if (const std::string refusal = refusalOf(info, problem, params); !refusal.empty())
-        throw InputError(refusal);
-
     ProgressBar bar;
-    const Interruption interruption(
-        [&bar] { bar.say("stopping after the samples under way; Ctrl-C again ends at once"); });
+    const Interruption interruption([&bar] { bar.say("stopping; Ctrl-C again ends at once"); });
     const auto start = std::chrono::steady_clock::now();
     const auto elapsed = [start] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     };
     const auto isInterrupted = [&] { return interruption.asked() || (stop && stop()); };
 
+    Problem stoppable = problem;
+    stoppable.stop = isInterrupted;
     Measurement measurement;
-    const std::unique_ptr<Estimator> estimator = makeOrRefuse(info, problem, params);
-    if (!isInterrupted()) {
+    const std::unique_ptr<Estimator> estimator = makeOrRefuse(info, stoppable, params);
+    if (estimator && !isInterrupted()) {
         RenderOptions options;
         options.passes = limits.passes;
         options.threads = limits.threads;

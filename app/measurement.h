@@ -22,9 +22,9 @@ struct Measurement {
 };
 
 /// Shows a progress bar on a terminal, and ends by a signal (interruption.h) or when `stop` (may be empty)
-/// says so, with what is done. `firstPixels` (may be null) receives the first pixel of every pass that was
-/// made, in their order; only for numbers of passes that fit. Throws InputError if the estimator refuses,
-/// before any work.
+/// says so, within milliseconds, with the passes that are done. `firstPixels` (may be null) receives the
+/// first pixel of every pass that was made, in their order; only for numbers of passes that fit. Throws
+/// InputError if the estimator refuses, before any work.
 Measurement measure(const EstimatorInfo& info, const Problem& problem, const ParamValues& params,
                     const MeasureLimits& limits, const std::function<bool()>& stop = {},
                     std::vector<Rgb>* firstPixels = nullptr);

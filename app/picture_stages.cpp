@@ -16,7 +16,7 @@ namespace {
 // Of one picture: a second or two of one core, counted in what does not depend on the machine.
 constexpr std::uint64_t kMostPasses = 512;
 constexpr std::uint64_t kMostRays = 1'200'000;
-// Of one batch: so long at most a newer question or the end of the program waits if it comes between chunks.
+// Of one batch, so that pictures follow each other fast.
 constexpr double kPathsPerBatch = 16'384.0;
 
 /// More at once as there are more: the first picture comes soon, and later ones are not copied for nothing.
@@ -31,9 +31,7 @@ std::uint32_t packed(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
 }
 
 void tone(LightPicture& picture) {
-    std::vector<Rgb> means;
-    means.reserve(picture.film.pixels.size());
-    for (const Statistics& pixel : picture.film.pixels) means.push_back(pixel.mean);
+    const std::vector<Rgb>& means = picture.film.pixels.mean;
     const double scale = automaticScale(means);
     picture.white = 1.0 / scale;
     picture.colors.clear();
@@ -43,24 +41,32 @@ void tone(LightPicture& picture) {
             packed(srgbByte(scale * mean.x), srgbByte(scale * mean.y), srgbByte(scale * mean.z)));
 }
 
-/// `work` as it must be to answer `asked`: made anew unless it does already.
+/// `work` as it must be to answer `asked`: made anew unless it does already. None if cancelled on the way.
 void prepare(std::unique_ptr<PictureWork>& work, const LightQuestion& asked,
-             const std::optional<Sensor>& sensor, const char* estimator) {
+             const std::optional<Sensor>& sensor, const char* estimator, const std::atomic<bool>& cancelled) {
     if (work && work->answers(asked)) return;
     work.reset();
-    if (sensor) work = std::make_unique<PictureWork>(asked.scene, *sensor, estimator, asked.settings);
+    if (!sensor) return;
+    try {
+        work = std::make_unique<PictureWork>(asked.scene, *sensor, estimator, asked.settings, cancelled);
+    } catch (const Stopped&) {
+    }
 }
 
 }  // namespace
 
 PictureWork::PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sensor, const char* estimator,
-                         const Settings& settings)
+                         const Settings& settings, const std::atomic<bool>& cancelled)
     : scene_(std::move(scene)),
       sensor_(std::move(sensor)),
       maxDepth_(settings.maxDepth),
       seed_(settings.seed) {
     const EstimatorInfo& info = *findEstimator(estimator);
-    const Problem problem{.index = scene_->index, .sensor = sensor_, .maxDepth = maxDepth_, .seed = seed_};
+    const Problem problem{.index = scene_->index,
+                          .sensor = sensor_,
+                          .maxDepth = maxDepth_,
+                          .seed = seed_,
+                          .stop = [&cancelled] { return cancelled.load(std::memory_order_relaxed); }};
     const ParamValues params = initialValues(info);
     auto picture = std::make_shared<LightPicture>();
     picture->sensor = sensor_;
@@ -79,12 +85,11 @@ bool PictureWork::answers(const LightQuestion& question) const {
            seed_ == question.settings.seed;
 }
 
-bool PictureWork::addBatch(const std::atomic<bool>& cancelled) {
+bool PictureWork::addBatch() {
     auto next = std::make_shared<LightPicture>(*picture_);
     RenderOptions options;
     options.firstPass = next->film.passes;
     options.passes = nextBatch(next->film, pixelCount(sensor_) + estimator_->workPerPass());
-    options.stop = [&cancelled] { return cancelled.load(std::memory_order_relaxed); };
     const Film batch = render(*estimator_, sensor_, options);
     if (batch.passes < options.passes) return false;
     next->film.merge(batch);
@@ -104,14 +109,14 @@ void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<
                     const std::function<void()>& publish) {
     const LightQuestion& asked = answer.asked;
     const Bounds& bounds = asked.scene->bounds;
-    if (asked.wantsEye) prepare(cache.eye, asked, eyeStripOf(asked.scene->scene), "path");
-    if (asked.wantsField) prepare(cache.field, asked, fieldOf(bounds.min, bounds.max), "light");
+    if (asked.wantsEye) prepare(cache.eye, asked, eyeStripOf(asked.scene->scene), "path", cancelled);
+    if (asked.wantsField) prepare(cache.field, asked, fieldOf(bounds.min, bounds.max), "light", cancelled);
     const auto grow = [&](const std::unique_ptr<PictureWork>& work,
                           std::shared_ptr<const LightPicture>& shown) {
         if (!work) return;
         shown = work->picture();
         while (!shown->complete && !cancelled) {
-            if (!work->addBatch(cancelled)) return;
+            if (!work->addBatch()) return;
             shown = work->picture();
             publish();
         }

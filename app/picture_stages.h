@@ -14,9 +14,10 @@ namespace halfdisk {
 /// A picture on its way. It does not depend on P or N: it is kept while only those change.
 class PictureWork {
  public:
-    /// Prepares the estimator; what cannot be done is told by the picture's refusal.
+    /// Prepares the estimator; what cannot be done is told by the picture's refusal. `cancelled` outlives it,
+    /// and calls off whatever is under way. Throws Stopped if that is set here already.
     PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sensor, const char* estimator,
-                const Settings& settings);
+                const Settings& settings, const std::atomic<bool>& cancelled);
     PictureWork(const PictureWork&) = delete;  // the estimator refers to the sensor
     PictureWork& operator=(const PictureWork&) = delete;
 
@@ -24,7 +25,7 @@ class PictureWork {
 
     /// Adds the next batch of passes. False, and nothing is added, if cancelled on the way: the same passes
     /// always give the same bits.
-    bool addBatch(const std::atomic<bool>& cancelled);
+    bool addBatch();
 
     const std::shared_ptr<const LightPicture>& picture() const { return picture_; }
 

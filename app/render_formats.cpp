@@ -54,7 +54,7 @@ std::string csvOf(const RenderResult& result) {
     const std::vector<std::string_view> columns = placeColumns(result.picture.sensor);
     text += fmt::format("pixel,{},r,g,b,errorR,errorG,errorB\n", fmt::join(columns, ","));
     const PixelPlaces places(result.picture.sensor, result.index);
-    const std::vector<Statistics>& pixels = result.measurement.film.pixels;
+    const PixelStatistics& pixels = result.measurement.film.pixels;
     for (std::uint32_t pixel = 0; pixel < pixels.size(); ++pixel) {
         fmt::format_to(std::back_inserter(text), "{}", pixel);
         const std::array<double, 2> place = places.at(pixel);
@@ -75,7 +75,7 @@ std::string csvOf(const RenderResult& result) {
 std::string jsonOfResult(const RenderResult& result) {
     std::string text = resultFacts(result).dump(-1, ' ', false, Json::error_handler_t::replace);
     text.pop_back();
-    const std::vector<Statistics>& pixels = result.measurement.film.pixels;
+    const PixelStatistics& pixels = result.measurement.film.pixels;
     text += ",\n\"mean\":[";
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         if (i > 0) text += ',';

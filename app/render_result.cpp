@@ -11,10 +11,7 @@
 namespace halfdisk {
 
 std::vector<Rgb> meansOf(const Film& film) {
-    std::vector<Rgb> means;
-    means.reserve(film.pixels.size());
-    for (const Statistics& pixel : film.pixels) means.push_back(pixel.mean);
-    return means;
+    return film.pixels.mean;
 }
 
 std::uint64_t nonFiniteOf(const Film& film) {

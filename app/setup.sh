@@ -14,14 +14,18 @@ readonly test_packages=(
     clang-14 clang-format-14 libclang-rt-14-dev libfuzzer-14-dev xauth xdotool xvfb
 )
 
+# What the benchmark compares with: it does without those that are missing.
+readonly bench_packages=(libbenchmark-dev libbox2d-dev libembree-dev)
+
 usage() {
     cat <<EOF
-usage: setup.sh [--tests] [--sanitize] [--fuzz SECONDS] [--quiet]
+usage: setup.sh [--tests] [--sanitize] [--fuzz SECONDS] [--bench] [--quiet]
 
 Installs the missing Debian packages and builds Halfdisk into build/.
   --tests         also what the tests need, and the tests themselves
   --sanitize      all with AddressSanitizer and UndefinedBehaviorSanitizer, into build-sanitize/
   --fuzz SECONDS  only the fuzz targets, with clang, into build-fuzz/; their tests run that long
+  --bench         only the benchmark, with the programs that it compares with, as far as they can be installed
   --quiet         print only what goes wrong
 EOF
 }
@@ -32,7 +36,7 @@ refuse() {
     exit 2
 }
 
-with_tests=false sanitize=false fuzz_seconds='' quiet=false
+with_tests=false sanitize=false fuzz_seconds='' bench=false quiet=false
 while [[ $# -gt 0 ]]; do
     case $1 in
         --tests) with_tests=true ;;
@@ -43,6 +47,7 @@ while [[ $# -gt 0 ]]; do
             with_tests=true
             shift
             ;;
+        --bench) bench=true ;;
         --quiet) quiet=true ;;
         -h | --help) usage; exit 0 ;;
         *) refuse "unknown option $1" ;;
@@ -58,11 +63,12 @@ say() { if ! $quiet; then echo "$@"; fi; }
 needed=("${packages[@]}")
 if $with_tests; then needed+=("${test_packages[@]}"); fi
 
+# missing_packages PACKAGES...
 missing_packages() {
     local installed package
     # dpkg-query fails if it does not know one of the names; what it does know is printed all the same.
-    installed=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "${needed[@]}" 2>/dev/null || true)
-    for package in "${needed[@]}"; do
+    installed=$(dpkg-query --show --showformat '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null || true)
+    for package in "$@"; do
         grep -qxF "installed $package" <<<"$installed" || echo "$package"
     done
 }
@@ -87,8 +93,14 @@ install_packages() {
 }
 
 if command -v dpkg-query >/dev/null && command -v apt-get >/dev/null; then
-    mapfile -t missing < <(missing_packages)
+    mapfile -t missing < <(missing_packages "${needed[@]}")
     if [[ ${#missing[@]} -gt 0 ]]; then install_packages "${missing[@]}"; fi
+    if $bench; then
+        mapfile -t missing < <(missing_packages "${bench_packages[@]}")
+        for package in "${missing[@]}"; do
+            (install_packages "$package") || echo "$package can't be installed: the benchmark does without it" >&2
+        done
+    fi
 else
     echo "This is no Debian system: nothing is installed. Halfdisk needs what Debian calls" >&2
     printf '  %s\n' "${needed[*]}" >&2
@@ -127,6 +139,10 @@ elif $sanitize; then
     folder=$root/build-sanitize
     configured "$folder" || configure "$folder" -DCMAKE_BUILD_TYPE=Release -DHALFDISK_SANITIZE=ON
     build "$folder" all
+elif $bench; then
+    folder=$root/build
+    configure "$folder" -DCMAKE_BUILD_TYPE=Release # afresh: it looks for the programs to compare with
+    build "$folder" benchmarks
 else
     folder=$root/build
     configured "$folder" || configure "$folder" -DCMAKE_BUILD_TYPE=Release

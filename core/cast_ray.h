@@ -61,7 +61,7 @@ Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, uint32_t depth,
     // compute direct illumination
     for (uint32_t i = 0; i < lightCount(scene); ++i) {  // 006
         const SampleRange draws = drawsOf(scene, i, settings.emitters, range);
-        for (uint32_t n = draws.first; n < draws.last; ++n) {
+        for (uint32_t n = draws.first; n < draws.last && see.keepGoing(); ++n) {
             const double u = drawUnit(settings, rng, n, 1 + i, draws.N);
             const LightSample light = sampleLight(scene, i, P, u);
             const Vec2 L = light.L;  // 007

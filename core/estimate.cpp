@@ -10,11 +10,6 @@ namespace {
 
 constexpr std::uint64_t kChunkSamples = 1024;
 
-struct CancelObserver : NoObserver {
-    const std::atomic<bool>* cancelled;
-    bool keepGoing() const { return !cancelled->load(std::memory_order_relaxed); }
-};
-
 /// What one chunk adds: some samples of one repeat, or whole repeats if they are short.
 struct Chunk {
     Statistics samples;

@@ -30,6 +30,12 @@ struct EstimateOptions {
     const std::atomic<bool>* cancelled = nullptr;  ///< may be set at any time: the result is then incomplete
 };
 
+/// Sees only whether the work is called off.
+struct CancelObserver : NoObserver {
+    const std::atomic<bool>* cancelled;
+    bool keepGoing() const { return !cancelled->load(std::memory_order_relaxed); }
+};
+
 /// Irradiance at `at` by castRay, or by its as-printed twin if any defect is switched on. The same bits for
 /// any number of threads: chunks of a fixed size are added up in their order.
 Estimate estimateIrradiance(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,

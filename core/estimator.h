@@ -9,6 +9,7 @@
 #include "film.h"
 #include "light_table.h"
 #include "sensor.h"
+#include "stop.h"
 
 namespace halfdisk {
 
@@ -20,6 +21,8 @@ struct Problem {
         kMaxDepthInfo.initial;  ///< irradiance and fluence at this depth, radiance at one more
     std::uint32_t maxSpecular = kMaxSpecularInfo.initial;  ///< mirror and glass events in a row
     std::uint64_t seed = kSeedInfo.initial;
+    /// Calls preparation and passes off: within 16 rays, wherever they are (see stop.h).
+    StopQuestion stop{};
 };
 
 /// A parameter of an estimator: a number, or one of the `choices` (its value is the choice's place in the
@@ -42,7 +45,8 @@ class Estimator {
     virtual ~Estimator() = default;
 
     /// One independent estimate of every pixel: adds to `picture` (black, one entry a pixel). The same pass
-    /// gives the same bits on any thread; called by several at once.
+    /// gives the same bits on any thread; called by several at once. Throws Stopped if Problem::stop says so;
+    /// the picture and the counts are then of no use.
     virtual void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const = 0;
 
     /// About how many paths a pass follows besides one for each pixel: what decides how many passes are one
@@ -66,7 +70,7 @@ struct EstimatorInfo {
     /// promise.
     std::string (*refusal)(const Problem& problem, const ParamValues& params);
     /// Prepares it (patches, tables). May throw std::invalid_argument with the message of a refusal found on
-    /// the way.
+    /// the way, and Stopped if problem.stop says so.
     std::unique_ptr<Estimator> (*make)(const Problem& problem, const ParamValues& params);
 };
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "arc_measure.h"
 #include "quadrature.h"
+#include "wall_contacts.h"
 
 namespace halfdisk {
 namespace {
@@ -14,15 +16,6 @@ bool seesOver(const ShadedPoint& at, Vec2 direction) {
     return glm::dot(at.N, direction) > 0.0;
 }
 
-double thetaOf(const ShadedPoint& at, Vec2 direction) {
-    return std::atan2(glm::dot(at.N, direction), at.N.y * direction.x - at.N.x * direction.y);
-}
-
-// cos from - cos to, without the cancellation that a narrow arc would suffer.
-double cosineMeasure(const VisibleArc& arc) {
-    return 2.0 * std::sin((arc.from + arc.to) / 2) * std::sin((arc.to - arc.from) / 2);
-}
-
 Rgb seenRadiance(const Visibility& visibility, const Hit& hit, Vec2 direction, int depth) {
     const SegmentIndex& index = visibility.index();
     if (!hit) return index.environment(direction);
@@ -31,14 +24,6 @@ Rgb seenRadiance(const Visibility& visibility, const Hit& hit, Vec2 direction, i
     if (depth == 0) return emission;
     const ShadedPoint there = shadedPointAt(index, hit);
     return emission + there.albedo / 2.0 * directIrradiance(visibility, there);
-}
-
-void addCrossing(const Segment& s, const Segment& other, std::vector<Vec2>& points) {
-    const Vec2 e = s.b - s.a, f = other.b - other.a;
-    const double denominator = cross(e, f);
-    if (denominator == 0.0) return;
-    const double u = cross(other.a - s.a, f) / denominator, v = cross(other.a - s.a, e) / denominator;
-    if (u > 0.0 && u < 1.0 && v > 0.0 && v < 1.0) points.push_back(s.a + u * e);
 }
 
 }  // namespace
@@ -60,13 +45,8 @@ double closedRoomRadiance(double Le, double albedo, int depth) {
     return sum;
 }
 
-Visibility::Visibility(const SegmentIndex& index) : index_(&index) {
-    const auto& segments = index.scene().segments;
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        corners_.push_back(segments[i].a);
-        corners_.push_back(segments[i].b);
-        for (std::size_t k = 0; k < i; ++k) addCrossing(segments[i], segments[k], corners_);
-    }
+Visibility::Visibility(const SegmentIndex& index, const StopQuestion& stop)
+    : index_(&index), corners_(cornersOf(index.scene().segments, stop)) {
     const std::size_t bins = index.scene().environment.strip.size();
     for (std::size_t k = 0; k < bins; ++k) {
         const double angle = 2.0 * kPi * static_cast<double>(k) / static_cast<double>(bins);
@@ -75,24 +55,30 @@ Visibility::Visibility(const SegmentIndex& index) : index_(&index) {
 }
 
 std::vector<VisibleArc> Visibility::arcs(const ShadedPoint& at) const {
-    std::vector<double> cuts{0.0, kPi};
+    ArcMemory memory;
+    arcs(at, memory);
+    return std::move(memory.arcs);
+}
+
+const std::vector<VisibleArc>& Visibility::arcs(const ShadedPoint& at, ArcMemory& memory) const {
+    std::vector<double>& cuts = memory.cuts;
+    cuts.assign({0.0, kPi});
     for (const Vec2& corner : corners_)
         if (seesOver(at, corner - at.P)) cuts.push_back(thetaOf(at, corner - at.P));
     for (const Vec2& edge : skyEdges_)
         if (seesOver(at, edge)) cuts.push_back(thetaOf(at, edge));
     std::sort(cuts.begin(), cuts.end());
 
-    const Frame frame = frameFromNormal(at.N);
-    std::vector<VisibleArc> arcs;
+    memory.arcs.clear();
     double from = cuts.front();
     for (const double to : cuts) {
         if (to - from < kNarrowest) continue;
-        const double middle = from + (to - from) / 2;
-        const Vec2 direction = frame.toWorld(std::cos(middle), std::sin(middle));
-        arcs.push_back({from, to, index_->closestHit(rayFrom(*index_, at, direction))});
+        VisibleArc arc{from, to, {}};
+        arc.hit = index_->closestHit(rayFrom(*index_, at, middleOf(at, arc)));
+        memory.arcs.push_back(arc);
         from = to;
     }
-    return arcs;
+    return memory.arcs;
 }
 
 Rgb deltaIrradiance(const SegmentIndex& index, const ShadedPoint& at) {
@@ -107,17 +93,13 @@ Rgb deltaIrradiance(const SegmentIndex& index, const ShadedPoint& at) {
 
 Rgb directIrradiance(const Visibility& visibility, const ShadedPoint& at) {
     Rgb sum = deltaIrradiance(visibility.index(), at);
-    const Frame frame = frameFromNormal(at.N);
-    for (const VisibleArc& arc : visibility.arcs(at)) {
-        const double middle = (arc.from + arc.to) / 2;
-        const Vec2 direction = frame.toWorld(std::cos(middle), std::sin(middle));
-        sum += seenRadiance(visibility, arc.hit, direction, 0) * cosineMeasure(arc);
-    }
+    for (const VisibleArc& arc : visibility.arcs(at))
+        sum += seenRadiance(visibility, arc.hit, middleOf(at, arc), 0) * cosineBetween(arc.from, arc.to);
     return sum;
 }
 
 Rgb arrivingRadiance(const Visibility& visibility, const ShadedPoint& at, double theta, int depth) {
-    const Vec2 direction = frameFromNormal(at.N).toWorld(std::cos(theta), std::sin(theta));
+    const Vec2 direction = directionAt(at, theta);
     return seenRadiance(visibility, visibility.index().closestHit(rayFrom(visibility.index(), at, direction)),
                         direction, depth);
 }

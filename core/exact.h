@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "stop.h"
 #include "tracing.h"
 
 namespace halfdisk {
@@ -23,15 +24,23 @@ struct VisibleArc {
     Hit hit;          ///< of the ray through its middle; none: the environment
 };
 
+/// What is seen from one place, and memory for the next one.
+struct ArcMemory {
+    std::vector<double> cuts;
+    std::vector<VisibleArc> arcs;
+};
+
 /// Where visibility can change: the ends of walls and the points where walls cross. Keeps a pointer to the
 /// index.
 class Visibility {
  public:
-    /// O(n^2) pairs of n walls.
-    explicit Visibility(const SegmentIndex& index);
+    /// See cornersOf for the time that it takes. Throws Stopped if `stop` says so.
+    explicit Visibility(const SegmentIndex& index, const StopQuestion& stop = {});
 
     /// What `at` sees over its half-disk, in order of theta. O(n) rays.
     std::vector<VisibleArc> arcs(const ShadedPoint& at) const;
+    /// The same, in memory.arcs.
+    const std::vector<VisibleArc>& arcs(const ShadedPoint& at, ArcMemory& memory) const;
 
     const SegmentIndex& index() const { return *index_; }
     const std::vector<Vec2>& corners() const { return corners_; }

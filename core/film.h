@@ -1,9 +1,7 @@
 // What does a sensor hold after many passes? Mean and standard error of every pixel, and what it cost.
 #pragma once
 
-#include <vector>
-
-#include "statistics.h"
+#include "pixel_statistics.h"
 #include "walk.h"
 
 namespace halfdisk {
@@ -12,20 +10,18 @@ namespace halfdisk {
 using Picture = std::vector<Rgb>;
 
 struct Film {
-    std::vector<Statistics> pixels;  ///< of the passes' values, which are independent
+    PixelStatistics pixels;  ///< of the passes' values, which are independent
     Counts counts;
     std::uint64_t passes = 0;
 
     void add(const Picture& picture) {
-        if (pixels.empty()) pixels.resize(picture.size());
-        for (std::size_t i = 0; i < picture.size(); ++i) pixels[i].add(picture[i]);
+        pixels.add(picture);
         ++passes;
     }
 
     /// As if the passes of `later` had been added after these.
     void merge(const Film& later) {
-        if (pixels.empty()) pixels.resize(later.pixels.size());
-        for (std::size_t i = 0; i < later.pixels.size(); ++i) pixels[i].merge(later.pixels[i]);
+        pixels.merge(later.pixels);
         counts.merge(later.counts);
         passes += later.passes;
     }

@@ -145,7 +145,8 @@ double unoccludedExchange(const Strand& from, const Strand& to) {
     return faceEachOther(seeing, seen) ? stringsBetween(seeing, seen) : 0.0;
 }
 
-double exchangeLength(const Strand& from, const Strand& to, std::span<const Strand> walls, double rounding) {
+double exchangeLength(const Strand& from, const Strand& to, std::span<const Strand> walls, double rounding,
+                      const StopQuestion& stop) {
     Strand seeing = from, seen = to;
     if (!faceEachOther(seeing, seen)) return 0.0;
     const std::vector<Blocker> blockers = blockersIn(Hull(seeing, seen, rounding), walls);
@@ -155,17 +156,23 @@ double exchangeLength(const Strand& from, const Strand& to, std::span<const Stra
     const auto pointAt = [&](double u) { return u == 1.0 ? seeing.b : seeing.a + u * (seeing.b - seeing.a); };
     double sum = 0.0;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+        throwIfStopped(stop, i);
         const Vec2 x = pointAt(cuts[i]), y = pointAt(cuts[i + 1]);
         if (x != y) sum += stretchExchange(x, y, seen, blockers, shadows);
     }
     return std::max(0.0, sum);
 }
 
-std::vector<double> exchangeLengths(const SegmentIndex& index, const Patches& patches) {
+ExchangeLengths exchangeLengths(const SegmentIndex& index, const Patches& patches, const StopQuestion& stop) {
     const auto& segments = index.scene().segments;
     const std::vector<Patch>& all = patches.all();
     const double rounding = roundingOf(index);
-    std::vector<double> lengths(all.size() * all.size(), 0.0);
+    // Not zeroed at once: that alone takes many milliseconds of 4000 patches.
+    ExchangeLengths lengths{all.size(), std::make_unique_for_overwrite<double[]>(all.size() * all.size())};
+    for (std::size_t row = 0; row < all.size(); ++row) {
+        throwIfStopped(stop, row);
+        std::fill_n(lengths.all.get() + row * all.size(), all.size(), 0.0);
+    }
 
     struct Side {
         Strand at;
@@ -181,6 +188,7 @@ std::vector<double> exchangeLengths(const SegmentIndex& index, const Patches& pa
     }
     for (std::size_t one = 0; one < sides.size(); ++one)
         for (std::size_t two = 0; two < one; ++two) {
+            throwIfStopped(stop, two);
             const Side &from = sides[one], &to = sides[two];
             Strand seeing = from.at, seen = to.at;
             if (from.segment == to.segment || !faceEachOther(seeing, seen)) continue;
@@ -190,10 +198,11 @@ std::vector<double> exchangeLengths(const SegmentIndex& index, const Patches& pa
                 if (k != from.segment && k != to.segment && hull.partOf(walls[k])) others.push_back(walls[k]);
             for (std::size_t i = from.range.first; i < from.range.end; ++i)
                 for (std::size_t k = to.range.first; k < to.range.end; ++k) {
+                    throwIfStopped(stop, k);
                     if (all[i].hidden || all[k].hidden) continue;
                     const double length =
-                        exchangeLength({all[i].a, all[i].b}, {all[k].a, all[k].b}, others, rounding);
-                    lengths[i * all.size() + k] = lengths[k * all.size() + i] = length;
+                        exchangeLength({all[i].a, all[i].b}, {all[k].a, all[k].b}, others, rounding, stop);
+                    lengths.all[i * all.size() + k] = lengths.all[k * all.size() + i] = length;
                 }
         }
     return lengths;

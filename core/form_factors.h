@@ -9,6 +9,7 @@
 // bounded by the same two corners, and its strings are exact.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "hull.h"
@@ -23,11 +24,21 @@ double roundingOf(const SegmentIndex& index);
 /// behind the other does not count.
 double unoccludedExchange(const Strand& from, const Strand& to);
 
-/// The same where `walls` may stand between them; exact to rounding, whatever they hide.
-double exchangeLength(const Strand& from, const Strand& to, std::span<const Strand> walls, double rounding);
+/// The same where `walls` may stand between them; exact to rounding, whatever they hide. Throws Stopped if
+/// `stop` says so, like all that follows.
+double exchangeLength(const Strand& from, const Strand& to, std::span<const Strand> walls, double rounding,
+                      const StopQuestion& stop = {});
 
-/// l_i F_ij (m) of all pairs of patches, symmetric; row by row. O(N^2) of N patches, more where something
-/// stands between, and n^3 of n walls.
-std::vector<double> exchangeLengths(const SegmentIndex& index, const Patches& patches);
+/// l_i F_ij (m) of all pairs of patches, symmetric; row by row.
+struct ExchangeLengths {
+    std::size_t size = 0;
+    std::unique_ptr<double[]> all;
+
+    double operator[](std::size_t place) const { return all[place]; }
+};
+
+/// O(N^2) of N patches, more where something stands between, and n^3 of n walls.
+ExchangeLengths exchangeLengths(const SegmentIndex& index, const Patches& patches,
+                                const StopQuestion& stop = {});
 
 }  // namespace halfdisk

@@ -35,8 +35,8 @@ void check(const Scene& scene, std::size_t i) {
 
 }  // namespace
 
-SegmentIndex::SegmentIndex(const Scene& scene, IndexMethod method)
-    : scene_(&scene), method_(method), kernels_(&bestKernels()) {
+SegmentIndex::SegmentIndex(const Scene& scene, IndexMethod method, const Kernels& kernels)
+    : scene_(&scene), method_(method), kernels_(&kernels) {
     edges_.reserve(scene.segments.size());
     for (std::size_t i = 0; i < scene.segments.size(); ++i) {
         check(scene, i);

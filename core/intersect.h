@@ -8,25 +8,17 @@
 #include <vector>
 
 #include "core/index/build.h"
-#include "core/index/kernels.h"
+#include "core/index/method.h"
 
 namespace halfdisk {
-
-/// How the walls that a ray may meet are found. All give the same hits, to the bit.
-enum class IndexMethod : std::uint8_t {
-    automatic,   ///< what is fastest for so many walls
-    everyWall,   ///< every wall in double precision, one after the other
-    bruteForce,  ///< every wall in single precision, several at a time; the few that may be met in double
-    tree,        ///< the same for the walls in boxes that the ray enters
-    grid,        ///< the same for the walls in cells that the ray goes through, one after the other
-};
 
 /// A scene made ready for rays. Keeps a pointer to the scene, which must outlive it and stay as it is.
 class SegmentIndex {
  public:
     /// Throws std::invalid_argument for a zero-length or non-finite segment or a material that does not
     /// exist.
-    explicit SegmentIndex(const Scene& scene, IndexMethod method = IndexMethod::automatic);
+    explicit SegmentIndex(const Scene& scene, IndexMethod method = IndexMethod::automatic,
+                          const Kernels& kernels = bestKernels());
     SegmentIndex(SegmentIndex&&) = default;
     SegmentIndex& operator=(SegmentIndex&&) = default;
 
@@ -51,7 +43,8 @@ class SegmentIndex {
                   std::span<std::uint8_t> answers) const;
 
     const Scene& scene() const { return *scene_; }
-    IndexMethod method() const { return method_; }        ///< the one in use, not `automatic`
+    IndexMethod method() const { return method_; }  ///< the one in use, not `automatic`
+    InstructionSet instructions() const { return kernels_->instructions; }
     std::size_t bytes() const { return store_.bytes(); }  ///< of what finds the walls, the scene itself apart
     /// Radiance that a ray in this direction meets if it meets no wall.
     Rgb environment(Vec2 direction) const { return radianceFrom(scene_->environment, direction); }

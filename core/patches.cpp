@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "wall_contacts.h"
+
 namespace halfdisk {
 namespace {
 
@@ -14,27 +16,11 @@ struct Stretch {
     double length;    // m
 };
 
-/// Places on a wall where other walls end on it or cross it, and its ends: ascending, from 0 to 1.
-std::vector<double> contactsOf(const Segment& wall, const std::vector<Vec2>& corners) {
-    constexpr double kOnWall = 1e-9;  // of the wall's length
-    const Vec2 edge = wall.b - wall.a;
-    const double squared = glm::dot(edge, edge);
-    std::vector<double> places{0.0, 1.0};
-    for (const Vec2& corner : corners) {
-        if (std::abs(cross(corner - wall.a, edge)) > kOnWall * squared) continue;
-        const double u = glm::dot(corner - wall.a, edge) / squared;
-        if (u > kOnWall && u < 1.0 - kOnWall) places.push_back(u);
-    }
-    std::sort(places.begin(), places.end());
-    const auto same = [](double u, double v) { return v - u <= kOnWall; };
-    places.erase(std::unique(places.begin(), places.end(), same), places.end());
-    return places;
-}
-
-std::vector<Stretch> stretchesOf(const Visibility& visibility) {
+std::vector<Stretch> stretchesOf(const Visibility& visibility, const StopQuestion& stop) {
     const SegmentIndex& index = visibility.index();
     std::vector<Stretch> stretches;
     for (std::uint32_t i = 0; i < index.scene().segments.size(); ++i) {
+        throwIfStopped(stop, i);
         const Segment& wall = index.scene().segments[i];
         const std::vector<double> contacts = contactsOf(wall, visibility.corners());
         for (const bool front : {true, false}) {
@@ -65,9 +51,9 @@ std::size_t litSides(const Scene& scene) {
     return sides;
 }
 
-Patches::Patches(const Visibility& visibility, std::uint32_t wanted) {
+Patches::Patches(const Visibility& visibility, std::uint32_t wanted, const StopQuestion& stop) {
     const SegmentIndex& index = visibility.index();
-    const std::vector<Stretch> stretches = stretchesOf(visibility);
+    const std::vector<Stretch> stretches = stretchesOf(visibility, stop);
     if (stretches.size() > kMost)
         throw std::invalid_argument("the walls touch at so many places that they take " +
                                     std::to_string(stretches.size()) + " patches, expected at most " +
@@ -92,6 +78,7 @@ Patches::Patches(const Visibility& visibility, std::uint32_t wanted) {
             const double from = uAt(k), to = uAt(k + 1);
             Patch patch{pointAt(from), pointAt(to), stretch.segment, stretch.front, from, to};
             if (!stretch.front) std::swap(patch.a, patch.b);
+            throwIfStopped(stop, k);
             patch.length = glm::length(patch.b - patch.a);
             patch.hidden = isHidden(index, patch);
             patches_.push_back(patch);

@@ -22,8 +22,8 @@ class Patches {
 
     /// Cuts every lit side where other walls end on it or cross it, then each stretch evenly: about `wanted`
     /// patches in all, shared by length, one at least. Throws std::invalid_argument if that takes more than
-    /// kMost.
-    Patches(const Visibility& visibility, std::uint32_t wanted);
+    /// kMost, and Stopped if `stop` says so.
+    Patches(const Visibility& visibility, std::uint32_t wanted, const StopQuestion& stop = {});
 
     const std::vector<Patch>& all() const { return patches_; }
     std::size_t size() const { return patches_.size(); }

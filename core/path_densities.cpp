@@ -2,13 +2,9 @@
 
 namespace halfdisk {
 
-WholePath::WholePath(const LightTable& lights, const LightEnd& light, std::vector<InnerVertex> inner,
+WholePath::WholePath(const LightTable& lights, const LightEnd& light, std::span<const InnerVertex> inner,
                      const Receiver& receiver, double pdfReceiver)
-    : lights_(lights),
-      light_(light),
-      inner_(std::move(inner)),
-      receiver_(receiver),
-      pdfReceiver_(pdfReceiver) {}
+    : lights_(lights), light_(light), inner_(inner), receiver_(receiver), pdfReceiver_(pdfReceiver) {}
 
 Vec2 WholePath::direction(std::size_t from, std::size_t to) const {
     if (to == 0 && light_.infinite) return light_.towards;

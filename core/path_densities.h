@@ -8,6 +8,8 @@
 // strategies. Of a light infinitely far away x_0 is a direction (per radian).
 #pragma once
 
+#include <span>
+
 #include "direct_light.h"
 
 namespace halfdisk {
@@ -35,9 +37,10 @@ struct StrategyCounts {
     double lightConnected = 1.0;  ///< light paths that are connected to the sensor; 0: they can't be
 };
 
+/// Looks at what it is given, and keeps nothing of it.
 class WholePath {
  public:
-    WholePath(const LightTable& lights, const LightEnd& light, std::vector<InnerVertex> inner,
+    WholePath(const LightTable& lights, const LightEnd& light, std::span<const InnerVertex> inner,
               const Receiver& receiver, double pdfReceiver);
 
     /// Share of strategy s = 0 ... size() among all that could have made this path: balance or power
@@ -55,9 +58,9 @@ class WholePath {
     double countOf(std::size_t s, const StrategyCounts& counts) const;
 
     const LightTable& lights_;
-    LightEnd light_;
-    std::vector<InnerVertex> inner_;
-    Receiver receiver_;
+    const LightEnd& light_;
+    std::span<const InnerVertex> inner_;
+    const Receiver& receiver_;
     double pdfReceiver_;  // 1/m of its place, 1 if it has only one
 };
 

@@ -18,15 +18,18 @@ namespace halfdisk {
 /// Walls must be flat and diffuse.
 class Radiosity {
  public:
-    /// `bounces`: light is scattered at most so often; empty: without end, by solving the system (Eigen,
-    /// LU with partial pivoting). Throws std::invalid_argument where that has no answer (light that is never
-    /// absorbed), or if the walls take more than Patches::kMost patches.
-    Radiosity(const SegmentIndex& index, std::uint32_t patches, std::optional<std::uint32_t> bounces);
+    /// `bounces`: light is scattered at most so often; empty: without end, by solving the system (Cholesky).
+    /// Throws std::invalid_argument where that has no answer (light that is never absorbed), or if the walls
+    /// take more than Patches::kMost patches; and Stopped if `stop` says so.
+    Radiosity(const SegmentIndex& index, std::uint32_t patches, std::optional<std::uint32_t> bounces,
+              const StopQuestion& stop = {});
 
     /// E (W/m): light straight from its source, exact, and what the patches scatter, exact but for their
     /// radiance being constant over each. O(n^2) of n walls.
+    Rgb irradiance(const ShadedPoint& at, Counts& counts, ArcMemory& memory) const;
     Rgb irradiance(const ShadedPoint& at, Counts& counts) const;
     /// The same from all around a free point.
+    Rgb fluence(Vec2 P, Counts& counts, ArcMemory& memory) const;
     Rgb fluence(Vec2 P, Counts& counts) const;
 
     const Patches& patches() const { return patches_; }
@@ -37,7 +40,7 @@ class Radiosity {
     template <class Visit>
     void forPatches(const ShadedPoint& at, const VisibleArc& arc, const Visit& visit) const;
     template <class Measure>
-    Rgb gather(const ShadedPoint& at, const Measure& measure, Counts& counts) const;
+    Rgb gather(const ShadedPoint& at, const Measure& measure, Counts& counts, ArcMemory& memory) const;
 
     const SegmentIndex& index() const { return visibility_.index(); }
 

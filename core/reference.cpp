@@ -4,32 +4,15 @@
 #include <stdexcept>
 #include <utility>
 
+#include "arc_measure.h"
 #include "quadrature.h"
+#include "wall_contacts.h"
 
 namespace halfdisk {
 namespace {
 
 // Panels along a stretch of wall, finer towards its ends, where light from an adjoining wall bends most.
 constexpr std::array kPanelEnds{0.0, 0.02, 0.1, 0.3, 0.7, 0.9, 0.98, 1.0};
-
-/// Where other walls end on this one or cross it: light may jump there. Parameters, ascending, from 0 to 1.
-std::vector<double> stretchesOf(const Segment& wall, const std::vector<Vec2>& corners) {
-    constexpr double kOnWall = 1e-9;  // of the wall's length
-    const Vec2 edge = wall.b - wall.a;
-    const double squared = glm::dot(edge, edge);
-    std::vector<double> cuts{0.0, 1.0};
-    for (const Vec2& corner : corners) {
-        const double u = glm::dot(corner - wall.a, edge) / squared;
-        const bool onLine = std::abs(cross(corner - wall.a, edge)) <= kOnWall * squared;
-        if (onLine && u > kOnWall && u < 1.0 - kOnWall) cuts.push_back(u);
-    }
-    std::sort(cuts.begin(), cuts.end());
-    std::vector<double> stretches;
-    for (const double cut : cuts)
-        if (stretches.empty() || cut - stretches.back() > kOnWall) stretches.push_back(cut);
-    stretches.back() = 1.0;
-    return stretches;
-}
 
 /// Lagrange interpolation of the values at a panel's nodes; x in -1 ... 1.
 Rgb interpolate(const Rgb* values, double x) {
@@ -76,10 +59,10 @@ Reference::Reference(const SegmentIndex& index, unsigned maxDepth, const std::at
 
 void Reference::addSide(std::uint32_t segment, bool front) {
     Side side{segment, front, {0.0}, nodeCount_};
-    const auto stretches = stretchesOf(visibility_.index().scene().segments[segment], visibility_.corners());
-    for (std::size_t i = 0; i + 1 < stretches.size(); ++i)
+    const auto contacts = contactsOf(visibility_.index().scene().segments[segment], visibility_.corners());
+    for (std::size_t i = 0; i + 1 < contacts.size(); ++i)
         for (const double end : kPanelEnds)
-            if (end > 0.0) side.panelEnds.push_back(stretches[i] + (stretches[i + 1] - stretches[i]) * end);
+            if (end > 0.0) side.panelEnds.push_back(contacts[i] + (contacts[i + 1] - contacts[i]) * end);
     nodeCount_ += (side.panelEnds.size() - 1) * kGauss8.size();
     sides_.push_back(std::move(side));
 }
@@ -94,8 +77,7 @@ Rgb Reference::radiance(const ShadedPoint& at, double theta, unsigned depth) con
     Rgb L = arrivingRadiance(visibility_, at, theta, depth > 0 ? 1 : 0);
     if (depth < 2) return L;
     const SegmentIndex& index = visibility_.index();
-    const Vec2 direction = frameFromNormal(at.N).toWorld(std::cos(theta), std::sin(theta));
-    const Hit hit = index.closestHit(rayFrom(index, at, direction));
+    const Hit hit = index.closestHit(rayFrom(index, at, directionAt(at, theta)));
     if (!hit || !isLitSide(index, hit)) return L;
     const Rgb albedo = shadedPointAt(index, hit).albedo;
     for (unsigned scatterings = 1; scatterings < depth; ++scatterings)
@@ -105,9 +87,8 @@ Rgb Reference::radiance(const ShadedPoint& at, double theta, unsigned depth) con
 
 Rgb Reference::arrivingAfter(unsigned scatterings, const ShadedPoint& at) const {
     const SegmentIndex& index = visibility_.index();
-    const Frame frame = frameFromNormal(at.N);
     const auto integrand = [&](double theta) {
-        const Hit hit = index.closestHit(rayFrom(index, at, frame.toWorld(std::cos(theta), std::sin(theta))));
+        const Hit hit = index.closestHit(rayFrom(index, at, directionAt(at, theta)));
         if (!hit || !isLitSide(index, hit)) return Integrals<3>{};
         const ShadedPoint there = shadedPointAt(index, hit);
         if (there.albedo == Rgb(0.0)) return Integrals<3>{};

@@ -8,6 +8,20 @@ namespace {
 // So many paths make a chunk worth a thread's while.
 constexpr double kChunkPaths = 4096.0;
 
+// Films that wait to be merged may take so much memory, and two for each thread in any case.
+constexpr std::uint64_t kMostWaitingBytes = 64 << 20;
+
+std::uint64_t mostAhead(std::uint64_t pixels, unsigned threads) {
+    const std::uint64_t film = std::max<std::uint64_t>(1, pixels) * 2 * sizeof(Rgb);
+    return std::max(2 * std::uint64_t{threads}, std::min(kMostWaitingBytes / film, kMostAhead));
+}
+
+// The passes of one chunk.
+struct Part {
+    Film film;
+    bool whole = true;  // false: called off on the way
+};
+
 }  // namespace
 
 Film render(const Estimator& estimator, const Sensor& sensor, const RenderOptions& options) {
@@ -18,24 +32,34 @@ Film render(const Estimator& estimator, const Sensor& sensor, const RenderOption
 
     std::atomic<bool> stopped{false};
     const auto work = [&](std::uint64_t chunk) {
-        Film film;
+        Part part;
         Picture picture(pixels);
         const std::uint64_t end = std::min((chunk + 1) * passesPerChunk, options.passes);
-        for (std::uint64_t pass = chunk * passesPerChunk; pass < end; ++pass) {
-            std::fill(picture.begin(), picture.end(), Rgb(0.0));
-            estimator.addPass(options.firstPass + pass, picture, film.counts);
-            film.add(picture);
+        try {
+            for (std::uint64_t pass = chunk * passesPerChunk; pass < end; ++pass) {
+                std::fill(picture.begin(), picture.end(), Rgb(0.0));
+                Counts counts;
+                estimator.addPass(options.firstPass + pass, picture, counts);
+                part.film.add(picture);
+                part.film.counts.merge(counts);
+            }
+        } catch (const Stopped&) {
+            part.whole = false;
         }
-        if (options.stop && options.stop()) stopped = true;
-        return film;
+        if (!part.whole || (options.stop && options.stop())) stopped = true;
+        return part;
     };
     Film film;
-    film.pixels.resize(pixels);
-    const auto merge = [&](const Film& part) {
-        film.merge(part);
+    film.pixels.reset(pixels);
+    bool whole = true;  // no pass is left out so far
+    const auto merge = [&](const Part& part) {
+        if (!whole) return;
+        whole = part.whole;
+        if (part.film.passes == 0) return;
+        film.merge(part.film);
         if (options.progress) options.progress(film);
     };
-    forChunksInOrder(chunks, options.threads, &stopped, work, merge);
+    forChunksInOrder(chunks, options.threads, &stopped, work, merge, mostAhead(pixels, options.threads));
     return film;
 }
 

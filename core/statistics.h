@@ -35,6 +35,12 @@ struct Statistics {
         nonFinite += later.nonFinite;
         negative += later.negative;
         if (later.count == 0) return;
+        if (count == 0) {  // as it is: the square of a large mean would overflow
+            count = later.count;
+            mean = later.mean;
+            squares = later.squares;
+            return;
+        }
         const double here = static_cast<double>(count), there = static_cast<double>(later.count);
         const Rgb delta = later.mean - mean;
         count += later.count;

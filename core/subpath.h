@@ -18,6 +18,12 @@ struct Subpath {
     Ray escaped;  ///< into the environment, with this throughput; none: black
     Rgb escapedThroughput{0.0};
     std::uint32_t escapedScatterings = 0;
+
+    /// For the next walk; keeps the memory.
+    void clear() {
+        vertices.clear();
+        escapedThroughput = Rgb(0.0);
+    }
 };
 
 struct SubpathVisitor : WalkVisitor {

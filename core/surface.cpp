@@ -31,16 +31,21 @@ bool isTransmitted(const SurfacePoint& at, Vec2 direction) {
     return std::holds_alternative<Dielectric>(*at.material) && glm::dot(direction, at.N) < 0.0;
 }
 
-// How likely a half-disk is sampled, and not a mirror or glass followed.
-double scatteringShare(const SurfacePoint& at) {
+// How likely a mirror or glass is followed.
+double specularShareOf(const SurfacePoint& at) {
     const auto* mix = std::get_if<Mix>(at.material);
-    if (mix && std::holds_alternative<Mirror>(mix->specular)) return 1.0 - mix->weight;
-    return isSpecular(*at.material) ? 0.0 : 1.0;
+    if (mix) return specularShare(*mix);
+    return isSpecular(*at.material) ? 1.0 : 0.0;
+}
+
+// Of a direction over the half-disk, all of which are alike.
+double pdfHalfDiskOf(const SurfacePoint& at) {
+    return (1.0 - specularShareOf(at)) / kPi;
 }
 
 std::optional<Scattered> sampleHalfDiskOf(const SurfacePoint& at, Carried carried, double u) {
     const double along = std::cos(kPi * u), up = std::sin(kPi * u);
-    Scattered way{frameFromNormal(at.N).toWorld(along, up), scatteringShare(at) / kPi, Rgb(0.0)};
+    Scattered way{frameFromNormal(at.N).toWorld(along, up), pdfHalfDiskOf(at), Rgb(0.0)};
     const Rgb brdf = carried == Carried::radiance ? evalSurface(at, way.direction, at.from)
                                                   : evalSurface(at, at.from, way.direction);
     way.weight = brdf * (up / way.pdfAngle);
@@ -80,7 +85,7 @@ Rgb evalSurface(const SurfacePoint& at, Vec2 toLight, Vec2 toEye) {
 
 double pdfSurface(const SurfacePoint& at, Vec2 from, Vec2 to, Directions directions) {
     if (!isAbove(at, from) || !isAbove(at, to)) return 0.0;
-    if (directions == Directions::halfDisk) return scatteringShare(at) / kPi;
+    if (directions == Directions::halfDisk) return pdfHalfDiskOf(at);
     return std::visit(
         Overload{[&](const Diffuse&) { return pdfDiffuse(at.round, to); }, [](const Mirror&) { return 0.0; },
                  [&](const Glossy& wall) { return pdfGlossy(wall, at.round, from, to); },
@@ -92,15 +97,9 @@ double pdfSurface(const SurfacePoint& at, Vec2 from, Vec2 to, Directions directi
 std::optional<Scattered> sampleSurface(const SurfacePoint& at, Carried carried, const ScatterDraws& draws,
                                        Directions directions) {
     const double coin = draws.coin, u = draws.u, v = draws.v;
-    if (directions == Directions::halfDisk && coin < scatteringShare(at))
+    // A mirror's part is not drawn but followed.
+    if (directions == Directions::halfDisk && coin >= specularShareOf(at))
         return sampleHalfDiskOf(at, carried, u);
-    if (directions == Directions::halfDisk) {
-        if (const auto* mix = std::get_if<Mix>(at.material)) {
-            Scattered way = sampleMirror(std::get<Mirror>(mix->specular), at.round, at.from);
-            way.direction = onSide(way.direction, at.N, true);
-            return way;
-        }
-    }
     auto drawn = std::visit(
         Overload{[&](const Diffuse& wall) { return std::optional(sampleDiffuse(wall, at.round, u)); },
                  [&](const Mirror& wall) { return std::optional(sampleMirror(wall, at.round, at.from)); },

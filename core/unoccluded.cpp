@@ -40,8 +40,9 @@ std::optional<Obstacle> obstacleBefore(const Visibility& visibility, const Shade
     return std::nullopt;
 }
 
-std::optional<Obstacle> obstacleOfArcs(const Visibility& visibility, const ShadedPoint& at) {
-    for (const VisibleArc& arc : visibility.arcs(at))
+std::optional<Obstacle> obstacleOfArcs(const Visibility& visibility, const ShadedPoint& at,
+                                       ArcMemory& memory) {
+    for (const VisibleArc& arc : visibility.arcs(at, memory))
         if (arc.hit && arc.to - arc.from > kNarrowest)
             if (auto obstacle = obstacleBefore(visibility, at, arc)) return obstacle;
     return std::nullopt;
@@ -103,16 +104,16 @@ Rgb unoccludedFluence(const SegmentIndex& index, Vec2 P) {
     return sum;
 }
 
-std::optional<Obstacle> obstacleAt(const Visibility& visibility, const ShadedPoint& at) {
+std::optional<Obstacle> obstacleAt(const Visibility& visibility, const ShadedPoint& at, ArcMemory& memory) {
     if (auto obstacle = obstacleOfLights(visibility.index(), at, true)) return obstacle;
-    return obstacleOfArcs(visibility, at);
+    return obstacleOfArcs(visibility, at, memory);
 }
 
-std::optional<Obstacle> obstacleAround(const Visibility& visibility, Vec2 P) {
+std::optional<Obstacle> obstacleAround(const Visibility& visibility, Vec2 P, ArcMemory& memory) {
     const ShadedPoint up{P, {0.0, 1.0}}, down{P, {0.0, -1.0}};
     if (auto obstacle = obstacleOfLights(visibility.index(), up, false)) return obstacle;
-    if (auto obstacle = obstacleOfArcs(visibility, up)) return obstacle;
-    return obstacleOfArcs(visibility, down);
+    if (auto obstacle = obstacleOfArcs(visibility, up, memory)) return obstacle;
+    return obstacleOfArcs(visibility, down, memory);
 }
 
 }  // namespace halfdisk

@@ -26,9 +26,9 @@ struct Obstacle {
 
 /// The first wall that hides a part of a light from the half-disk of `at`; empty where the closed forms hold.
 /// Parts narrower than 1e-10 rad do not count.
-std::optional<Obstacle> obstacleAt(const Visibility& visibility, const ShadedPoint& at);
+std::optional<Obstacle> obstacleAt(const Visibility& visibility, const ShadedPoint& at, ArcMemory& memory);
 
 /// The same for all directions around a free point.
-std::optional<Obstacle> obstacleAround(const Visibility& visibility, Vec2 P);
+std::optional<Obstacle> obstacleAround(const Visibility& visibility, Vec2 P, ArcMemory& memory);
 
 }  // namespace halfdisk

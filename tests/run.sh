@@ -5,12 +5,14 @@ set -euo pipefail
 usage() {
     cat <<EOF
 usage: run.sh [--label LABEL] [--sanitize] [--fuzz-seconds S] [-- CTEST-ARGUMENTS...]
-       run.sh --bench
+       run.sh --bench [--json] [--quick] [--only PART,...]
 
   --label LABEL     only tests whose label matches this regular expression, such as unit or 'unit|fuzz'
   --sanitize        under AddressSanitizer and UndefinedBehaviorSanitizer, built in build-sanitize/
   --fuzz-seconds S  how long each fuzz target runs (60)
-  --bench           no tests, but the benchmarks in full: time per frame, cost of a ray and of castRay's observer
+  --bench           no tests, but the benchmarks, about ten minutes: rays beside Embree and Box2D, and what else is
+                    required of speed. --json: for machines; --quick: only whether it runs; --only: these parts of
+                    rays, build, estimators, threads, overhead, observer, frame
 
 Without --sanitize, and unless a label excludes them, the fuzz targets are built in build-fuzz/ and run as well.
 EOF
@@ -22,7 +24,7 @@ refuse() {
     exit 2
 }
 
-label='' sanitize=false bench=false fuzz_seconds=60 ctest_arguments=()
+label='' sanitize=false bench=false fuzz_seconds=60 ctest_arguments=() bench_arguments=()
 while [[ $# -gt 0 ]]; do
     case $1 in
         --label)
@@ -32,6 +34,12 @@ while [[ $# -gt 0 ]]; do
             ;;
         --sanitize) sanitize=true; shift ;;
         --bench) bench=true; shift ;;
+        --json | --quick) bench_arguments+=("$1"); shift ;;
+        --only)
+            [[ $# -ge 2 && -n $2 ]] || refuse "--only needs a value"
+            bench_arguments+=("$1" "$2")
+            shift 2
+            ;;
         --fuzz-seconds)
             [[ $# -ge 2 && $2 =~ ^[1-9][0-9]*$ ]] || refuse "--fuzz-seconds needs a whole number of seconds"
             fuzz_seconds=$2
@@ -55,9 +63,10 @@ run_ctest() {
 }
 
 if $bench; then
-    bash "$root/app/setup.sh" --tests
-    exec "$root/build/tests/bench/halfdisk_bench"
+    bash "$root/app/setup.sh" --bench >&2 # what is printed is the benchmark's alone
+    exec "$root/build/tests/bench/halfdisk_bench" "${bench_arguments[@]}"
 fi
+[[ ${#bench_arguments[@]} -eq 0 ]] || refuse "${bench_arguments[0]} goes with --bench"
 
 by_label=(--label-exclude long)
 if [[ -n $label ]]; then by_label=(--label-regex "$label"); fi

@@ -57,10 +57,7 @@ class BidirectionalEstimator : public Estimator {
     }
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
-        for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
-            joinPaths(setup_, pixel, Rng(setup_.problem.seed, pass).child(pixel), picture, counts);
-            counts.paths += 2;
-        }
+        joinPaths(setup_, pass, picture, counts);
     }
 
  private:

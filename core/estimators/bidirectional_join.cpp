@@ -28,7 +28,7 @@ LightEnd endOf(const SegmentIndex& index, const DrawnLight& drawn, Vec2 from, st
     return end;
 }
 
-/// All strategies of one pair of subpaths.
+/// All strategies of one pair of subpaths, pair after pair in the same memory.
 class Join {
  public:
     Join(const JoinSetup& setup, Picture& picture, Counts& counts)
@@ -36,6 +36,8 @@ class Join {
 
     void run(std::uint32_t pixel, const Rng& rng) {
         const Rng sensorRng = rng.child(0), lightRng = rng.child(1);
+        sensor_.clear();
+        light_.clear();
         receiver_ = startOf(all_.problem.sensor, index_, pixel, sensorRng.uniform(draws::kStart, 0),
                             sensorRng.uniform(draws::kStart, 1));
         const Sight sight = sightFrom(receiver_, index_, sensorRng.uniform(draws::kStart, 2));
@@ -75,26 +77,27 @@ class Join {
 
     /// The first `fromLight` walls of the light's path and the first `fromSensor` of the sensor's, from the
     /// light on. Where the two are connected, their ends scatter whatever they did on their own.
-    std::vector<InnerVertex> walls(std::size_t fromLight, std::size_t fromSensor, bool connected) const {
-        std::vector<InnerVertex> inner;
-        for (std::size_t i = 0; i < fromLight; ++i) inner.push_back(light_.vertices[i].wall);
-        if (connected && fromLight > 0) inner.back().delta = false;
+    /// Good until the next call.
+    std::span<const InnerVertex> walls(std::size_t fromLight, std::size_t fromSensor, bool connected) {
+        walls_.clear();
+        for (std::size_t i = 0; i < fromLight; ++i) walls_.push_back(light_.vertices[i].wall);
+        if (connected && fromLight > 0) walls_.back().delta = false;
         for (std::size_t i = fromSensor; i-- > 0;) {
-            inner.push_back(sensor_.vertices[i].wall);
-            if (connected && i + 1 == fromSensor) inner.back().delta = false;
+            walls_.push_back(sensor_.vertices[i].wall);
+            if (connected && i + 1 == fromSensor) walls_.back().delta = false;
         }
-        return inner;
+        return walls_;
     }
 
-    void add(const Receiver& at, std::size_t s, const LightEnd& end, std::vector<InnerVertex> inner,
+    void add(const Receiver& at, std::size_t s, const LightEnd& end, std::span<const InnerVertex> inner,
              double pdfReceiver, const Rgb& value) {
         std::uint32_t scatterings = 0;
         for (const InnerVertex& wall : inner) scatterings += wall.delta ? 0 : 1;
         if (value == Rgb(0.0) || scatterings > all_.limits.scatterings) return;
         double weight = 1.0;
         if (all_.weighs)
-            weight = WholePath(all_.lights, end, std::move(inner), at, pdfReceiver)
-                         .weight(s, all_.counts, all_.heuristic);
+            weight =
+                WholePath(all_.lights, end, inner, at, pdfReceiver).weight(s, all_.counts, all_.heuristic);
         addTo(picture_, at.pixel, value * weight, counts_);
     }
 
@@ -160,12 +163,11 @@ class Join {
 
     /// Radiance that one of the light's paths brings straight to the sensor's place; every pixel's path may
     /// serve any pixel of an eye.
-    void addConnected(std::size_t s, const LightEnd& end, std::vector<InnerVertex> inner,
+    void addConnected(std::size_t s, const LightEnd& end, std::span<const InnerVertex> inner,
                       const Response& response, const Rgb& radiance) {
         Receiver at = receiver_;
         at.pixel = response.pixel;
-        add(at, s, end, std::move(inner), pdfReceiver(),
-            radiance * (response.weight / all_.counts.lightConnected));
+        add(at, s, end, inner, pdfReceiver(), radiance * (response.weight / all_.counts.lightConnected));
     }
 
     void connectWalls(std::size_t s, std::size_t t) {
@@ -206,14 +208,19 @@ class Join {
     Counts& counts_;
     Receiver receiver_;
     Subpath sensor_, light_;
+    std::vector<InnerVertex> walls_;
     LightEnd lightEnd_;
 };
 
 }  // namespace
 
-void joinPaths(const JoinSetup& setup, std::uint32_t pixel, const Rng& rng, Picture& picture,
-               Counts& counts) {
-    Join(setup, picture, counts).run(pixel, rng);
+void joinPaths(const JoinSetup& setup, std::uint64_t pass, Picture& picture, Counts& counts) {
+    Join join(setup, picture, counts);
+    for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
+        throwIfStopped(setup.problem.stop, pixel);
+        join.run(pixel, Rng(setup.problem.seed, pass).child(pixel));
+        counts.paths += 2;
+    }
 }
 
 }  // namespace halfdisk

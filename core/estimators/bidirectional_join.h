@@ -24,7 +24,8 @@ struct JoinSetup {
     }
 };
 
-/// Follows one path from each end and adds what all strategies find to the picture. `rng` is the pair's own.
-void joinPaths(const JoinSetup& setup, std::uint32_t pixel, const Rng& rng, Picture& picture, Counts& counts);
+/// For every pixel: follows one path from each end and adds what all strategies find to the picture. Throws
+/// Stopped if the problem's question says so.
+void joinPaths(const JoinSetup& setup, std::uint64_t pass, Picture& picture, Counts& counts);
 
 }  // namespace halfdisk

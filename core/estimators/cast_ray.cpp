@@ -24,6 +24,18 @@ constexpr std::array kParams{
     ParamInfo{.name = kEmittersParam.name, .meaning = kEmittersParam.meaning, .choices = kEmitterChoices},
 };
 
+/// Asks on the way whether to go on: a pixel may take 10^9 rays.
+struct StopObserver : NoObserver {
+    const StopQuestion& stop;
+    std::uint64_t steps = 0;
+
+    void meet(const Ray&, const Hit&, std::uint32_t, std::uint64_t) { throwIfStopped(stop, steps++); }
+    void light(std::uint32_t, std::uint32_t, const LightSample&, double, const Rgb&) {
+        throwIfStopped(stop, steps++);
+    }
+};
+using Tracer = CastRay<StopObserver>;
+
 class CastRayEstimator : public Estimator {
  public:
     CastRayEstimator(const Problem& problem, const ParamValues& params) : problem_(problem) {
@@ -40,8 +52,8 @@ class CastRayEstimator : public Estimator {
     }
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
-        NoObserver observer;
-        CastRay<> tracer{{problem_.index, settings_, observer}};
+        StopObserver observer{{}, problem_.stop};
+        Tracer tracer{{problem_.index, settings_, observer}};
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
             const Rng rng = Rng(problem_.seed, pass).child(pixel);
             const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
@@ -54,7 +66,7 @@ class CastRayEstimator : public Estimator {
     }
 
  private:
-    Rgb valueAt(CastRay<>& tracer, const Receiver& receiver, const Rng& rng) const {
+    Rgb valueAt(Tracer& tracer, const Receiver& receiver, const Rng& rng) const {
         switch (receiver.weighing) {
             case Weighing::cosine:
                 return tracer.gatherLight(receiver.at, 0, rng, SampleRange::all(settings_.samples)).total();
@@ -69,7 +81,7 @@ class CastRayEstimator : public Estimator {
     }
 
     // In empty space there is no half-disk: N directions of the full circle, and lamps are met by chance.
-    Rgb fluenceAt(CastRay<>& tracer, const Receiver& receiver, const Rng& rng) const {
+    Rgb fluenceAt(Tracer& tracer, const Receiver& receiver, const Rng& rng) const {
         Rgb sum{0.0};
         for (std::uint32_t n = 0; n < settings_.samples; ++n) {
             Sight sight =

@@ -26,16 +26,16 @@ constexpr std::array kOverCell{Place{0.5, 0.5, 0.5}, Place{kEdge, kEdge, 0.5}, P
 /// counts it as not finite.
 class UnoccludedLight {
  public:
-    explicit UnoccludedLight(const SegmentIndex& index) : visibility_(index) {}
+    UnoccludedLight(const SegmentIndex& index, const StopQuestion& stop) : visibility_(index, stop) {}
 
-    Rgb irradiance(const ShadedPoint& at, Counts& counts) const {
+    Rgb irradiance(const ShadedPoint& at, Counts& counts, ArcMemory& memory) const {
         counts.rays += visibility_.corners().size();
-        if (obstacleAt(visibility_, at)) return none();
+        if (obstacleAt(visibility_, at, memory)) return none();
         return unoccludedIrradiance(visibility_.index(), at);
     }
-    Rgb fluence(Vec2 P, Counts& counts) const {
+    Rgb fluence(Vec2 P, Counts& counts, ArcMemory& memory) const {
         counts.rays += visibility_.corners().size();
-        if (obstacleAround(visibility_, P)) return none();
+        if (obstacleAround(visibility_, P, memory)) return none();
         return unoccludedFluence(visibility_.index(), P);
     }
     const Visibility& visibility() const { return visibility_; }
@@ -48,7 +48,8 @@ class UnoccludedLight {
 
 class ClosedFormEstimator : public Estimator {
  public:
-    explicit ClosedFormEstimator(const Problem& problem) : problem_(problem), light_(problem.index) {}
+    explicit ClosedFormEstimator(const Problem& problem)
+        : problem_(problem), light_(problem.index, problem.stop) {}
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
         addPlaces(light_, problem_, pass, picture, counts);
@@ -71,34 +72,37 @@ std::string behind(const Scene& scene, const std::optional<Obstacle>& obstacle, 
 }
 
 /// Empty, or why the closed forms do not hold for this receiver.
-std::string faultAt(const Visibility& visibility, const Receiver& receiver, double look) {
+std::string faultAt(const Visibility& visibility, const Receiver& receiver, double look, ArcMemory& memory) {
     const SegmentIndex& index = visibility.index();
     const Scene& scene = index.scene();
     if (receiver.at.medium != kNoMedium) return textOf(receiver.at.P) + " lies in glass";
     if (receiver.weighing == Weighing::cosine)
-        return behind(scene, obstacleAt(visibility, receiver.at), receiver.at.P);
+        return behind(scene, obstacleAt(visibility, receiver.at, memory), receiver.at.P);
     if (receiver.weighing == Weighing::even)
-        return behind(scene, obstacleAround(visibility, receiver.at.P), receiver.at.P);
+        return behind(scene, obstacleAround(visibility, receiver.at.P, memory), receiver.at.P);
     const Hit hit = index.closestHit(sightFrom(receiver, index, look).ray);
     if (!hit) return {};
     if (const std::string kind = whyNotFlatDiffuse(scene, hit.segment); !kind.empty())
         return quotedName(scene, hit.segment) + " is " + kind;
     if (!isLitSide(index, hit)) return {};
     const ShadedPoint there = shadedPointAt(index, hit);
-    return there.albedo == Rgb(0.0) ? std::string() : behind(scene, obstacleAt(visibility, there), there.P);
+    return there.albedo == Rgb(0.0) ? std::string()
+                                    : behind(scene, obstacleAt(visibility, there, memory), there.P);
 }
 
 std::string refusal(const Problem& problem, const ParamValues&) {
     if (problem.maxDepth > 0)
         return "closed-form is direct light alone: ask for depth 0, not " + std::to_string(problem.maxDepth);
-    const Visibility visibility(problem.index);
+    const Visibility visibility(problem.index, problem.stop);
+    ArcMemory memory;
     const bool isField = std::holds_alternative<Field>(problem.sensor);
     const bool one =
         std::holds_alternative<Probe>(problem.sensor) || std::holds_alternative<Look>(problem.sensor);
     for (std::uint32_t pixel = 0; pixel < pixelCount(problem.sensor); ++pixel)
         for (const Place& place : isField ? kOverCell : kAlong) {
+            throwIfStopped(problem.stop);
             const Receiver receiver = startOf(problem.sensor, problem.index, pixel, place.u, place.v);
-            const std::string fault = faultAt(visibility, receiver, place.look);
+            const std::string fault = faultAt(visibility, receiver, place.look, memory);
             if (!fault.empty())
                 return "closed-form is for light with nothing in its way: " + fault +
                        (one ? "" : ", in pixel " + std::to_string(pixel));

@@ -7,6 +7,7 @@
 #include "core/estimators/light_paths.h"
 #include "core/estimators/params.h"
 #include "core/field_cells.h"
+#include "core/splat/field_splat.h"
 #include "core/walk.h"
 
 namespace halfdisk {
@@ -27,32 +28,33 @@ struct LightVisitor : WalkVisitor {
     const Problem& problem;
     const std::optional<Receiver>& receiver;
     const std::optional<ProfileBins>& bins;
-    const Field* field;
+    std::optional<FieldSplat> splat{};
     Picture& picture;
     Counts& counts;
 
     LightVisitor(const Problem& asked, const std::optional<Receiver>& point,
                  const std::optional<ProfileBins>& walls, Picture& sums, Counts& spent)
-        : problem(asked),
-          receiver(point),
-          bins(walls),
-          field(std::get_if<Field>(&asked.sensor)),
-          picture(sums),
-          counts(spent) {}
+        : problem(asked), receiver(point), bins(walls), picture(sums), counts(spent) {
+        if (const auto* field = std::get_if<Field>(&asked.sensor)) splat.emplace(*field, sums, asked.stop);
+    }
 
     void fly(const Ray& ray, double distance, const Rgb& power, std::uint32_t) {
-        if (!field) return;
-        const Vec2 cell = (field->max - field->min) / Vec2(field->width, field->height);
+        if (!splat) return;
+        const Rgb absorption =
+            ray.medium == kNoMedium
+                ? Rgb(0.0)
+                : std::get<Dielectric>(problem.index.scene().materials[ray.medium]).absorption;
+        if (absorption == Rgb(0.0)) return splat->add(ray, distance, power, counts);
+        const auto& field = std::get<Field>(problem.sensor);
+        const Vec2 cell = (field.max - field.min) / Vec2(field.width, field.height);
         const double area = cell.x * cell.y;
-        forCells(*field, ray, distance, [&](std::uint32_t pixel, double from, double to) {
-            addTo(picture, pixel, power * flown(ray.medium, from, to) / area, counts);
+        forCells(field, ray, distance, [&](std::uint32_t pixel, double from, double to) {
+            addTo(picture, pixel, power * flown(absorption, from, to) / area, counts);
         });
     }
 
     // Metres flown between two places of a flight, less what a medium takes on the way there and between.
-    Rgb flown(std::uint32_t medium, double from, double to) const {
-        if (medium == kNoMedium) return Rgb(to - from);
-        const Rgb& absorption = std::get<Dielectric>(problem.index.scene().materials[medium]).absorption;
+    static Rgb flown(const Rgb& absorption, double from, double to) {
         Rgb metres;
         for (int c = 0; c < 3; ++c)
             metres[c] = absorption[c] > 0.0 ? -std::exp(-absorption[c] * from) *
@@ -100,11 +102,14 @@ class LightEstimator : public Estimator {
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
         const Rng ofPass(problem_.seed, pass);
-        for (std::uint32_t path = 0; receiver_ && path < paths_; ++path)
+        for (std::uint32_t path = 0; receiver_ && path < paths_; ++path) {
+            throwIfStopped(problem_.stop, path);
             askLight(ofPass.child(path), picture, counts);
+        }
         if (endsBelow_) return;
         LightVisitor visitor(problem_, receiver_, bins_, picture, counts);
-        sendLight(lights_, paths_, spread_, limits_, ofPass, counts, visitor);
+        sendLight(lights_, paths_, spread_, limits_, ofPass, counts, visitor, problem_.stop);
+        if (visitor.splat) visitor.splat->finish();
     }
 
  private:

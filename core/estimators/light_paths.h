@@ -16,12 +16,14 @@ inline constexpr ParamInfo kSpreadParam{
     .meaning = "where light sets out: at random, or evenly over the power of the lights within a pass",
     .choices = kSpreads};
 
-/// Follows `paths` paths of light. The power they carry is the scene's whole power, shared.
+/// Follows `paths` paths of light. The power they carry is the scene's whole power, shared. Throws Stopped if
+/// `stop` says so.
 template <class Visitor>
 void sendLight(const LightTable& lights, std::uint32_t paths, Spread spread, const WalkLimits& limits,
-               const Rng& ofPass, Counts& counts, Visitor& visitor) {
+               const Rng& ofPass, Counts& counts, Visitor& visitor, const StopQuestion& stop) {
     const Rng ofPaths = ofPass.child(kLightPathsChild);
     for (std::uint32_t path = 0; path < paths; ++path) {
+        throwIfStopped(stop, path);
         const Rng rng = ofPaths.child(path);
         const double u = rng.uniform(draws::kStart, 0);
         const Emission light =

@@ -5,7 +5,7 @@
 // is good for.
 #include "core/estimators/all.h"
 #include "core/estimators/params.h"
-#include "core/walk.h"
+#include "core/light_ways.h"
 
 namespace halfdisk {
 namespace {
@@ -14,57 +14,28 @@ enum Param { kEmitterWay, kHeuristic, kDirections, kRoulette };
 
 constexpr std::array kParams{kEmittersParam, kHeuristicParam, kDirectionsParam, kRouletteParam};
 
-struct Ways {
-    Emitters emitters;
-    Heuristic heuristic;
-    Directions directions;
-};
-
 // Light that a path finds: lamps and sky that it meets, and at every wall one light that it asks.
 struct PathVisitor : WalkVisitor {
     const LightTable& lights;
-    const Ways& ways;
+    const LightWays& ways;
     const Rng& rng;
     std::uint32_t mostScatterings;
     Counts& counts;
     Rgb found{0.0};
 
-    PathVisitor(const LightTable& table, const Ways& how, const Rng& numbers, std::uint32_t most,
+    PathVisitor(const LightTable& table, const LightWays& how, const Rng& numbers, std::uint32_t most,
                 Counts& spent)
         : lights(table), ways(how), rng(numbers), mostScatterings(most), counts(spent) {}
 
-    double weightMet(const Ray& ray, const Hit& hit) const {
-        if (ray.pdfAngle == 0.0 || ways.emitters == Emitters::hit) return 1.0;
-        if (ways.emitters == Emitters::sample) return 0.0;
-        return misWeight(ways.heuristic, ray.pdfAngle, lights.pdfDrawn(ray, hit));
-    }
-
-    double weightDrawn(const DrawnLight& light, double pdfMet) const {
-        if (light.pdfAngle == 0.0) return 1.0;
-        if (ways.emitters == Emitters::hit) return 0.0;
-        return ways.emitters == Emitters::sample ? 1.0 : misWeight(ways.heuristic, light.pdfAngle, pdfMet);
-    }
-
     void escape(const Ray& ray, const Rgb& throughput, std::uint32_t) {
-        const Rgb sky = lights.index().environment(ray.direction);
-        if (sky != Rgb(0.0)) found += throughput * sky * weightMet(ray, {});
+        found += throughput * lightMet(ways, lights, ray, {});
     }
 
     bool arrive(const Arrival& here) {
-        const Segment& wall = lights.index().scene().segments[here.hit.segment];
-        if (isEmitter(wall) && (here.at.front || wall.twoSided))
-            found += here.throughput * wall.emission * weightMet(here.ray, here.hit);
-        if (here.scatterings < mostScatterings && !isSpecular(*here.at.material)) askLight(here);
+        found += here.throughput * lightMet(ways, lights, here.ray, here.hit);
+        if (here.scatterings < mostScatterings && !isSpecular(*here.at.material))
+            found += here.throughput * lightDrawn(ways, lights, here, rng, counts);
         return true;
-    }
-
-    void askLight(const Arrival& here) {
-        const DrawnLight light = drawLight(lights, here.at, rng.uniform(here.vertex, draws::kPick),
-                                           rng.uniform(here.vertex, draws::kLight), counts);
-        if (light.L_i == Rgb(0.0)) return;
-        const double weight = weightDrawn(light, pdfSurface(here.at, here.at.from, light.L, ways.directions));
-        found += here.throughput * evalSurface(here.at, light.L, here.at.from) * light.L_i *
-                 (glm::dot(here.at.N, light.L) * weight);
     }
 };
 
@@ -80,11 +51,12 @@ class PathEstimator : public Estimator {
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
+            throwIfStopped(problem_.stop, pixel);
             const Rng rng = Rng(problem_.seed, pass).child(pixel);
             const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
                                               rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
             PathVisitor visitor(lights_, ways_, rng, limits_.scatterings, counts);
-            if (gathers(receiver)) askLightAt(receiver, rng, visitor);
+            if (gathers(receiver)) visitor.found = lightDrawn(ways_, lights_, receiver, rng, counts);
             const Sight sight = sightFrom(receiver, problem_.index, rng.uniform(draws::kStart, 2));
             walk(problem_.index, sight.ray, Rgb(sight.weight), Carried::radiance, limits_, rng, counts,
                  visitor);
@@ -94,17 +66,9 @@ class PathEstimator : public Estimator {
     }
 
  private:
-    void askLightAt(const Receiver& receiver, const Rng& rng, PathVisitor& visitor) const {
-        const DrawnLight light = drawLight(lights_, receiver, rng.uniform(draws::kStart, draws::kPick),
-                                           rng.uniform(draws::kStart, draws::kLight), visitor.counts);
-        if (light.L_i == Rgb(0.0)) return;
-        visitor.found += light.L_i * (responseTo(receiver, light.L).weight *
-                                      visitor.weightDrawn(light, pdfSight(receiver, light.L)));
-    }
-
     Problem problem_;
     LightTable lights_;
-    Ways ways_;
+    LightWays ways_;
     WalkLimits limits_;
 };
 

@@ -5,10 +5,8 @@
 // the iterated variant that shrinks the radius from pass to pass (Knaus & Zwicker 2011, "Progressive photon
 // mapping: a probabilistic approach"), all with a kernel of length instead of area.
 #include "core/estimators/all.h"
-#include "core/estimators/light_paths.h"
-#include "core/estimators/look.h"
 #include "core/estimators/params.h"
-#include "core/estimators/photons.h"
+#include "core/estimators/photon_gather.h"
 
 namespace halfdisk {
 namespace {
@@ -58,177 +56,48 @@ constexpr std::array kParams{
     kRouletteParam,
 };
 
-struct Maps {
-    PhotonMap global;   // what rays look up, or what the first wall does
-    PhotonMap caustic;  // light that came by mirrors and glass only
-    double radius, causticRadius;
-};
-
-// Which photons are kept. Rays that gather ask for all light on the wall that they meet; the first wall
-// itself asks only for what is not found straight: light that was scattered, and caustics.
-struct StoreVisitor : WalkVisitor {
-    const WallChains& chains;
-    const std::vector<bool>& received;  // by segment: kept there even if it is a mirror or glass
-    bool gathered, looked;              // rays will gather; the first wall will be looked up
-    std::vector<Photon> global{}, caustic{};
-
-    StoreVisitor(const WallChains& walls, const std::vector<bool>& sensed, bool byRays, bool byFirstWall)
-        : chains(walls), received(sensed), gathered(byRays), looked(byFirstWall) {}
-
-    bool arrive(const Arrival& here) {
-        if (isSpecular(*here.at.material) && !received[here.hit.segment]) return true;
-        const SidePlace place = sideOf(chains, here.hit.segment, here.hit.u, here.at.front);
-        const Photon photon{place.side, here.hit.segment, place.along, here.throughput, here.at.from};
-        if (here.scatterings == 0 && here.vertex > 0) caustic.push_back(photon);
-        if (gathered || (looked && here.scatterings > 0)) global.push_back(photon);
-        return true;
-    }
-};
+PhotonSettings settingsOf(const ParamValues& params) {
+    return {.paths = as<std::uint32_t>(params[kPhotons]),
+            .radius = params[kRadius],
+            .causticRadius = params[params[kCaustics] > 0.0 ? kCausticRadius : kRadius],
+            .shrink = params[kShrink],
+            .rays = as<std::uint32_t>(params[kGather]),
+            .spread = as<Spread>(params[kSpread]),
+            .roulette = as<std::uint32_t>(params[kRoulette])};
+}
 
 class PhotonMapEstimator : public Estimator {
  public:
     PhotonMapEstimator(const Problem& problem, const ParamValues& params)
         : problem_(problem),
+          paths_(params[kPhotons]),
           lights_(problem.index, placesOf(problem.sensor)),
-          chains_(problem.index),
-          photons_(as<std::uint32_t>(params[kPhotons])),
-          radius_(params[kRadius]),
-          causticRadius_(params[params[kCaustics] > 0.0 ? kCausticRadius : kRadius]),
-          shrink_(params[kShrink]),
-          spread_(as<Spread>(params[kSpread])),
-          rays_(as<std::uint32_t>(params[kGather])),
-          received_(problem.index.scene().segments.size(), false) {
-        if (const auto* profile = std::get_if<Profile>(&problem.sensor))
-            for (const std::uint32_t segment : profile->segments) received_[segment] = true;
-        if (std::holds_alternative<Field>(problem.sensor)) free_ = true;
-        if (const auto* probe = std::get_if<Probe>(&problem.sensor)) {
-            free_ = !isOnWall(probe->at);
-            if (!free_) received_[probe->at.segment] = true;
-        }
-        // Where no photon arrives there is only what rays see.
-        if (free_) rays_ = std::max(rays_, 1u);
-        // The walls that rays meet scatter once more than those that are looked up at once.
-        depth_ = rays_ > 0 ? problem.maxDepth - std::min(1u, problem.maxDepth) : problem.maxDepth;
-        limits_ = {depth_, problem.maxSpecular, as<std::uint32_t>(params[kRoulette])};
-    }
+          sender_(problem_, lights_, settingsOf(params)) {}
 
-    double workPerPass() const override { return photons_; }
+    double workPerPass() const override { return paths_; }
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
         const Rng ofPass(problem_.seed, pass);
-        const Maps maps = trace(ofPass, shrinking(shrink_, pass), counts);
+        const PhotonMaps maps = sender_.send(ofPass, pass, counts);
+        const PhotonGather light(problem_, lights_, sender_, maps);
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
+            throwIfStopped(problem_.stop, pixel);
             const Rng rng = ofPass.child(pixel);
             const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
                                               rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
-            const Rgb value =
-                gathers(receiver) ? received(maps, receiver, rng, counts) : seen(maps, receiver, rng, counts);
-            addTo(picture, pixel, value, counts);
+            addTo(
+                picture, pixel,
+                gathers(receiver) ? light.received(receiver, rng, counts) : light.seen(receiver, rng, counts),
+                counts);
             ++counts.paths;
         }
     }
 
  private:
-    bool isFront(const ShadedPoint& at) const {
-        return glm::dot(problem_.index.normal(at.segment), at.N) > 0.0;
-    }
-
-    bool isOnWall(const ShadedPoint& at) const {
-        return at.segment != kNoSegment &&
-               (isFront(at) || problem_.index.scene().segments[at.segment].twoSided ||
-                actsOnBothSides(problem_.index.material(at.segment)));
-    }
-
-    Maps trace(const Rng& ofPass, double shrunk, Counts& counts) const {
-        const bool deep = problem_.maxDepth > 0;
-        StoreVisitor store(chains_, received_, deep && rays_ > 0, deep && rays_ == 0);
-        sendLight(lights_, photons_, spread_, limits_, ofPass, counts, store);
-        return {PhotonMap(problem_.index, chains_, std::move(store.global)),
-                PhotonMap(problem_.index, chains_, std::move(store.caustic)), radius_ * shrunk,
-                causticRadius_ * shrunk};
-    }
-
-    // Irradiance, or fluence.
-    Rgb received(const Maps& maps, const Receiver& receiver, const Rng& rng, Counts& counts) const {
-        Rgb sum = directAt(lights_, receiver, rng, counts);
-        if (!free_) {
-            const SidePlace place = placeOf(receiver.at);
-            sum += maps.caustic.irradiance(place, maps.causticRadius);
-            if (rays_ == 0) sum += maps.global.irradiance(place, maps.radius);
-            if (maps.global.size() == 0) return sum;
-        }
-        for (std::uint32_t n = 0; n < rays_; ++n) {
-            const Rng ofRay = rng.child(draws::kStart).child(n);
-            const Sight sight =
-                sightFrom(receiver, problem_.index, (n + ofRay.uniform(draws::kStart, 0)) / rays_);
-            sum += gather(maps, sight.ray, Rgb(sight.weight / rays_), ofRay, counts);
-        }
-        return sum;
-    }
-
-    SidePlace placeOf(const ShadedPoint& at) const {
-        const Segment& wall = problem_.index.scene().segments[at.segment];
-        const double length = problem_.index.length(at.segment);
-        const double u = glm::dot(at.P - wall.a, wall.b - wall.a) / (length * length);
-        return sideOf(chains_, at.segment, std::clamp(u, 0.0, 1.0), isFront(at));
-    }
-
-    // Light on the walls that a ray sees. Lamps were asked where it starts, and caustics looked up, unless it
-    // starts where no photon can be.
-    Rgb gather(const Maps& maps, const Ray& ray, const Rgb& share, const Rng& rng, Counts& counts) const {
-        const auto outgoing = [&](const Arrival& there) { return lookUp(maps.global, there, maps.radius); };
-        return look(problem_.index, ray, share, problem_.maxSpecular, free_ ? Met::bySpeculars : Met::none,
-                    rng, counts, outgoing);
-    }
-
-    Rgb lookUp(const PhotonMap& map, const Arrival& here, double radius) const {
-        if (map.size() == 0) return Rgb(0.0);
-        const SidePlace place = sideOf(chains_, here.hit.segment, here.hit.u, here.at.front);
-        return map.radiance(here.at, place, here.at.from, radius);
-    }
-
-    // Radiance along a ray from an eye.
-    Rgb seen(const Maps& maps, const Receiver& receiver, const Rng& rng, Counts& counts) const {
-        const Sight sight = sightFrom(receiver, problem_.index, rng.uniform(draws::kStart, 2));
-        const auto outgoing = [&](const Arrival& here) {
-            const Rgb direct = directFrom(lights_, here, rng, counts);
-            const Rgb caustic = lookUp(maps.caustic, here, maps.causticRadius);
-            return direct + caustic +
-                   (rays_ == 0 ? lookUp(maps.global, here, maps.radius)
-                               : gatherFrom(maps, here, rng, counts));
-        };
-        return look(problem_.index, sight.ray, Rgb(sight.weight), problem_.maxSpecular, Met::all, rng, counts,
-                    outgoing);
-    }
-
-    Rgb gatherFrom(const Maps& maps, const Arrival& here, const Rng& rng, Counts& counts) const {
-        Rgb sum{0.0};
-        if (maps.global.size() == 0) return sum;
-        for (std::uint32_t n = 0; n < rays_; ++n) {
-            const Rng ofRay = rng.child(here.vertex).child(n);
-            const ScatterDraws numbers{ofRay.uniform(draws::kStart, 0),
-                                       (n + ofRay.uniform(draws::kStart, 1)) / rays_,
-                                       ofRay.uniform(draws::kStart, 2)};
-            const auto way = sampleSurface(here.at, Carried::radiance, numbers);
-            // What a mirror's part sends on is followed by the ray that looks.
-            if (!way || way->isDelta()) continue;
-            sum += gather(maps, leave(problem_.index, here.at, *way, 0),
-                          way->weight / static_cast<double>(rays_), ofRay, counts);
-        }
-        return sum;
-    }
-
     Problem problem_;
+    double paths_;  // of light, in one pass
     LightTable lights_;
-    WallChains chains_;
-    std::uint32_t photons_;
-    double radius_, causticRadius_, shrink_;
-    Spread spread_;
-    std::uint32_t rays_;
-    std::vector<bool> received_;
-    bool free_ = false;  // the receiver lies on no wall that photons are kept on
-    std::uint32_t depth_ = 0;
-    WalkLimits limits_;
+    PhotonSender sender_;
 };
 
 // Off the walls no photon can be met, and a ray meets neither a point light nor a directional one.

@@ -19,9 +19,17 @@ double shrinking(double a, std::uint64_t pass) {
     return factor * std::exp(logProduct(static_cast<double>(pass)) - logProduct(kExact));
 }
 
-PhotonMap::PhotonMap(const SegmentIndex& index, const WallChains& chains, std::vector<Photon> photons)
+PhotonMap::PhotonMap(const SegmentIndex& index, const WallChains& chains, std::vector<Photon> photons,
+                     const StopQuestion& stop)
     : index_(&index), chains_(&chains), photons_(std::move(photons)) {
-    std::sort(photons_.begin(), photons_.end(), [](const Photon& a, const Photon& b) {
+    // Millions of small steps: a question now and then.
+    std::uint64_t steps = 0;
+    const auto askNowAndThen = [&] {
+        constexpr std::uint64_t kSmallSteps = 4096;
+        if (++steps % kSmallSteps == 0) throwIfStopped(stop);
+    };
+    std::sort(photons_.begin(), photons_.end(), [&](const Photon& a, const Photon& b) {
+        askNowAndThen();
         return a.side != b.side ? a.side < b.side : a.along < b.along;
     });
     along_.reserve(photons_.size());
@@ -31,6 +39,7 @@ PhotonMap::PhotonMap(const SegmentIndex& index, const WallChains& chains, std::v
     Rgb sum{0.0};
     std::size_t side = 0;
     for (std::size_t i = 0; i < photons_.size(); ++i) {
+        askNowAndThen();
         for (; side <= photons_[i].side; ++side) first_[side] = i;
         along_.push_back(photons_[i].along);
         upTo_.push_back(sum);
@@ -50,11 +59,9 @@ PhotonMap::Run PhotonMap::runOf(std::uint32_t side, double from, double to) cons
 PhotonMap::Window PhotonMap::windowAt(const SidePlace& place, double radius) const {
     const std::uint32_t chain = place.side / 2;
     const double length = chains_->length(chain);
-    const double from = place.along - radius, to = place.along + radius;
-    if (!chains_->isClosed(chain)) {
-        const double low = std::max(0.0, from), high = std::min(length, to);
-        return {{runOf(place.side, low, high), {}}, high - low};
-    }
+    const ChainStretch stretch = chains_->stretchAt(chain, place.along);
+    const double from = std::max(stretch.from, place.along - radius),
+                 to = std::min(stretch.to, place.along + radius);
     if (to - from >= length) return {{runOf(place.side, 0.0, length), {}}, length};
     Window window{{runOf(place.side, std::max(0.0, from), std::min(length, to)), {}}, to - from};
     if (from < 0.0) window.runs[1] = runOf(place.side, from + length, length);

@@ -3,6 +3,7 @@
 // brought to the plane).
 #pragma once
 
+#include "core/stop.h"
 #include "core/surface.h"
 #include "core/wall_chains.h"
 
@@ -37,12 +38,15 @@ double shrinking(double a, std::uint64_t pass);
 /// Photons of one pass. Keeps pointers to the index and the chains.
 ///
 /// The kernel is a box: all photons within `radius` metres of arc length count alike. Where the chain ends
-/// within it, it is shorter, so no light is lost there. Its expectation is exactly the mean over the kernel:
-/// off by radius^2 E'' / 6 where E is smooth, by up to half its jump at an edge of light, and by its slope
-/// times radius / 2 at a chain's end. The variance of M paths' photons is about 1 / (M radius).
+/// within it, or another wall touches it, it is shorter: no light is lost there, and none leaks through that
+/// wall. Its expectation is exactly the mean over the kernel: off by radius^2 E'' / 6 where E is smooth, by
+/// up to half its jump at an edge of light, and by its slope times radius / 2 at such an end. The variance of
+/// M paths' photons is about 1 / (M radius).
 class PhotonMap {
  public:
-    PhotonMap(const SegmentIndex& index, const WallChains& chains, std::vector<Photon> photons);
+    /// Throws Stopped if `stop` says so.
+    PhotonMap(const SegmentIndex& index, const WallChains& chains, std::vector<Photon> photons,
+              const StopQuestion& stop = {});
 
     std::size_t size() const { return photons_.size(); }
 

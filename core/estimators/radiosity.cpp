@@ -32,7 +32,7 @@ class RadiosityEstimator : public Estimator {
     RadiosityEstimator(const Problem& problem, const ParamValues& params)
         : problem_(problem),
           radiosity_(problem.index, as<std::uint32_t>(params[kPatches]),
-                     params[kSolver] > 0.0 ? std::nullopt : std::optional(problem.maxDepth)) {}
+                     params[kSolver] > 0.0 ? std::nullopt : std::optional(problem.maxDepth), problem.stop) {}
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
         addPlaces(radiosity_, problem_, pass, picture, counts);

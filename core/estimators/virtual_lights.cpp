@@ -1,7 +1,9 @@
 // Estimator `virtual-lights`: wherever light arrives a small lamp is put, and these lamps light what is seen.
 //
 // Virtual point lights: Keller 1997, "Instant radiosity". A pass's lamps are the same for all of its pixels.
+#include "core/blocks.h"
 #include "core/estimators/all.h"
+#include "core/estimators/gather.h"
 #include "core/estimators/light_paths.h"
 #include "core/estimators/look.h"
 #include "core/estimators/params.h"
@@ -36,7 +38,7 @@ struct VirtualLight {
 };
 
 struct StoreVisitor : WalkVisitor {
-    std::vector<VirtualLight> lamps{};
+    Blocks<VirtualLight> lamps{};
 
     bool arrive(const Arrival& here) {
         if (!isSpecular(*here.at.material)) lamps.push_back({here.at, here.throughput});
@@ -61,13 +63,16 @@ class VirtualLightsEstimator : public Estimator {
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
         const Rng ofPass(problem_.seed, pass);
         StoreVisitor store;
-        if (problem_.maxDepth > 0) sendLight(lights_, paths_, spread_, limits_, ofPass, counts, store);
+        if (problem_.maxDepth > 0)
+            sendLight(lights_, paths_, spread_, limits_, ofPass, counts, store, problem_.stop);
+        const std::vector<VirtualLight> lamps = std::move(store.lamps).joined(problem_.stop);
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
+            throwIfStopped(problem_.stop, pixel);
             const Rng rng = ofPass.child(pixel);
             const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
                                               rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
-            const Rgb value = gathers(receiver) ? received(store.lamps, receiver, rng, counts)
-                                                : seen(store.lamps, receiver, rng, counts);
+            const Rgb value = gathers(receiver) ? received(lamps, receiver, rng, counts)
+                                                : seen(lamps, receiver, rng, counts);
             addTo(picture, pixel, value, counts);
             ++counts.paths;
         }
@@ -84,9 +89,12 @@ class VirtualLightsEstimator : public Estimator {
 
     Rgb received(const std::vector<VirtualLight>& lamps, const Receiver& receiver, const Rng& rng,
                  Counts& counts) const {
-        Rgb sum = directAt(lights_, receiver, rng, counts);
-        for (const VirtualLight& lamp : lamps)
+        Rgb sum = directLight(lights_, receiver, rng, counts);
+        std::uint64_t step = 0;
+        for (const VirtualLight& lamp : lamps) {
+            throwIfStopped(problem_.stop, step++);
             sum += fromLamp(lamp, connect(problem_.index, lamp.at, receiver, counts));
+        }
         return sum;
     }
 
@@ -95,8 +103,10 @@ class VirtualLightsEstimator : public Estimator {
              Counts& counts) const {
         const auto outgoing = [&](const Arrival& here) {
             const Receiver wall{.at = {here.at.P, here.at.N, here.at.segment}};
-            Rgb sum = directFrom(lights_, here, rng, counts);
+            Rgb sum = directLight(lights_, here, rng, counts);
+            std::uint64_t step = 0;
             for (const VirtualLight& lamp : lamps) {
+                throwIfStopped(problem_.stop, step++);
                 const Connection way = connect(problem_.index, lamp.at, wall, counts);
                 if (way.passed != Rgb(0.0))
                     sum += fromLamp(lamp, way) * evalSurface(here.at, -way.toReceiver, here.at.from);
@@ -104,8 +114,8 @@ class VirtualLightsEstimator : public Estimator {
             return sum;
         };
         const Sight sight = sightFrom(receiver, problem_.index, rng.uniform(draws::kStart, 2));
-        return look(problem_.index, sight.ray, Rgb(sight.weight), problem_.maxSpecular, Met::all, rng, counts,
-                    outgoing);
+        const Looking eye{.lights = lights_, .mostSpecular = problem_.maxSpecular};
+        return look(eye, sight.ray, Rgb(sight.weight), rng, counts, outgoing);
     }
 
     Problem problem_;

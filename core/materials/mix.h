@@ -17,6 +17,11 @@ struct Mix {
     bool operator==(const Mix&) const = default;
 };
 
+/// Share that is sent in one direction: a mirror's part.
+inline double specularShare(const Mix& wall) {
+    return std::holds_alternative<Mirror>(wall.specular) ? wall.weight : 0.0;
+}
+
 /// BRDF, 1/rad, of all but a mirror's part, which has none.
 inline Rgb evalMix(const Mix& wall, Vec2 N, Vec2 toLight, Vec2 toEye) {
     const Rgb matt = evalDiffuse(wall.diffuse) * (1.0 - wall.weight);

@@ -110,16 +110,6 @@ bool RunningProgram::waitUntilBusy(double seconds) {
     return true;
 }
 
-bool RunningProgram::waitUntilSecondSignalEnds() {
-    while (!hasEnded()) {
-        std::error_code ignored;
-        for (const auto& task : std::filesystem::directory_iterator(processFolder(child_) / "task", ignored))
-            if (!blocksInterrupt(task.path())) return !hasEnded();
-        sched_yield();
-    }
-    return false;
-}
-
 void RunningProgram::signal(int number) {
     kill(child_, number);
 }

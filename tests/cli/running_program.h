@@ -22,9 +22,6 @@ class RunningProgram {
     /// ended before.
     bool waitUntilBusy(double cpuSeconds);
 
-    /// Returns when one of its threads lets SIGINT through again. False if it ended before.
-    bool waitUntilSecondSignalEnds();
-
     void signal(int number);
     Outcome waitForEnd();
 

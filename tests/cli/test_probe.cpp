@@ -2,36 +2,16 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
 
 #include "core/math.h"
-#include "run_program.h"
+#include "probing.h"
 
 using halfdisk::kPi;
-using halfdisk_test::Outcome;
-using halfdisk_test::runProgram;
-using halfdisk_test::sceneFile;
-using Json = nlohmann::ordered_json;
+using namespace halfdisk_test;
 
 namespace {
-
-constexpr double kMostStandardErrors = 4.5;
-
-Outcome probe(const std::string& scene, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"probe", sceneFile(scene)});
-    return runProgram(arguments);
-}
-
-Json probeJson(const std::string& scene, std::vector<std::string> arguments) {
-    arguments.push_back("--json");
-    const Outcome outcome = probe(scene, arguments);
-    CHECK(outcome.err == "");
-    REQUIRE(outcome.exitCode == 0);
-    REQUIRE(Json::accept(outcome.out));
-    return Json::parse(outcome.out);
-}
 
 /// The bytes without what may differ from run to run.
 std::string withoutTimings(const Json& object) {
@@ -215,19 +195,4 @@ TEST_CASE("more than 10^10 rays are refused with their count, unless the user in
     const Outcome endless = probe("room.toml", {"--at", "lamp:0.5", "--samples", "1e9", "--depth", "64"});
     CHECK(endless.exitCode == 2);
     CHECK(endless.err.find("more than 1e300 rays") != std::string::npos);
-}
-
-TEST_CASE("the table for people tells the units and the exact answer, however bright the light") {
-    const Outcome small = probe("segment_light.toml", {"--at", "floor:0.525", "--depth", "0"});
-    CHECK(small.exitCode == 0);
-    for (const char* part :
-         {"irradiance", "W/m", "standard error", "direct", "indirect", "radiance", "W/(m rad)", "variance",
-          "rays/s", "0 samples not finite", "on wall \"floor\"", "std. errors", "2.64337"})
-        CHECK_MESSAGE(small.out.find(part) != std::string::npos, part);
-    const Outcome depth2 =
-        probe("segment_light.toml", {"--at", "floor:0.525", "--depth", "2", "--samples", "4"});
-    CHECK(depth2.out.find("exact") == std::string::npos);
-    const Outcome printed = probe("segment_light.toml", {"--at", "floor:0.525", "--as-printed=pdf"});
-    CHECK(printed.out.find("exact") == std::string::npos);
-    CHECK(printed.out.find("as printed: pdf") != std::string::npos);
 }

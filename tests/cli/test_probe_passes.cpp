@@ -1,32 +1,17 @@
-// Does `halfdisk probe` ask every estimator of the registry, and do they agree with castRay?
+// Does `halfdisk probe` ask every estimator of the registry, do they agree with castRay, and what is printed
+// of it for people?
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <set>
 
 #include "core/estimators.h"
+#include "probing.h"
 #include "refusals.h"
-#include "result_files.h"
-#include "run_program.h"
 
 using namespace halfdisk_test;
 
 namespace {
-
-constexpr double kMostStandardErrors = 4.0;
-
-Outcome probe(const std::string& scene, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), {"probe", sceneFile(scene)});
-    return runProgram(arguments);
-}
-
-Json probeJson(const std::string& scene, std::vector<std::string> arguments) {
-    arguments.push_back("--json");
-    const Outcome outcome = probe(scene, arguments);
-    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
-    REQUIRE(Json::accept(outcome.out));
-    return Json::parse(outcome.out);
-}
 
 /// Two independent measurements of the same, each good to 5 %.
 void checkAgree(const Json& a, const Json& b) {
@@ -108,6 +93,21 @@ TEST_CASE("the listed values are those that the mean is made of") {
         CHECK(different.size() > 100);
     }
     CHECK_FALSE(probeJson("room.toml", {"--at", "room.0:0.8"}).contains("values"));
+}
+
+TEST_CASE("the table for people tells the units and the exact answer, however bright the light") {
+    const Outcome small = probe("segment_light.toml", {"--at", "floor:0.525", "--depth", "0"});
+    CHECK(small.exitCode == 0);
+    for (const char* part :
+         {"irradiance", "W/m", "standard error", "direct", "indirect", "radiance", "W/(m rad)", "variance",
+          "rays/s", "0 samples not finite", "on wall \"floor\"", "std. errors", "2.64337"})
+        CHECK_MESSAGE(small.out.find(part) != std::string::npos, part);
+    const Outcome depth2 =
+        probe("segment_light.toml", {"--at", "floor:0.525", "--depth", "2", "--samples", "4"});
+    CHECK(depth2.out.find("exact") == std::string::npos);
+    const Outcome printed = probe("segment_light.toml", {"--at", "floor:0.525", "--as-printed=pdf"});
+    CHECK(printed.out.find("exact") == std::string::npos);
+    CHECK(printed.out.find("as printed: pdf") != std::string::npos);
 }
 
 TEST_CASE("the table of a probe by passes has the exact answer where it is known") {

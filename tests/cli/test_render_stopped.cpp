@@ -1,9 +1,12 @@
 // Does Ctrl-C keep what is done, and does the bar of progress stay off pipes?
 #include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 
 #include "app/estimator_arguments.h"
+#include "app/interruption.h"
 #include "app/measurement.h"
 #include "app/progress_bar.h"
 #include "lessons/scene_file.h"
@@ -62,17 +65,48 @@ TEST_CASE("stopped within a number of samples, both numbers are told") {
           "halfdisk: stopped after " + readCsv(file).facts["samples"] + " of 1000000000 samples; written\n");
 }
 
-TEST_CASE("a second signal ends the program at once, and nothing is written") {
+TEST_CASE("within the first sample, or in its preparation: nothing is written, and that is said") {
     const TemporaryFolder folder;
-    // One sample of this takes minutes.
-    RunningProgram program({"eye", sceneFile("seen_room.toml"), "--width", "16", "--estimator", "cast-ray",
-                            "--param", "samples=31000", "-o", folder / "a.png"});
-    REQUIRE(program.waitUntilBusy(kBusySeconds));
-    program.signal(SIGINT);
-    REQUIRE(program.waitUntilSecondSignalEnds());
-    program.signal(SIGTERM);
-    CHECK(program.waitForEnd().exitCode == 128 + SIGTERM);
-    CHECK(std::filesystem::is_empty(folder.path));
+    const auto checkStops = [&](std::vector<std::string> arguments) {
+        const std::string file = folder / "a.png";
+        arguments.insert(arguments.begin(),
+                         {"eye", sceneFile("seen_room.toml"), "--width", "16", "-o", file});
+        RunningProgram program(arguments);
+        REQUIRE(program.waitUntilBusy(kBusySeconds));
+        program.signal(SIGINT);
+        const Outcome outcome = program.waitForEnd();
+        CHECK(outcome.exitCode == 130);
+        CHECK(outcome.err == "halfdisk: stopped before the first sample was done; nothing is written\n");
+        CHECK(std::filesystem::is_empty(folder.path));
+    };
+    // Each of these takes minutes, or seconds.
+    checkStops({"--estimator", "cast-ray", "--param", "samples=31000"});
+    checkStops({"--estimator", "photon-map", "--param", "photons=1e7", "--param", "gather=10000"});
+    checkStops({"--estimator", "radiosity", "--param", "patches=4000", "--param", "solver=solve"});
+}
+
+TEST_CASE("a second signal ends the program at once") {
+    int told[2];
+    REQUIRE(pipe(told) == 0);
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) {
+        const auto tell = [&] { return write(told[1], "!", 1) == 1; };
+        const halfdisk::Interruption interruption([&] { tell(); });
+        tell();
+        while (true) pause();  // as if nobody asked the interruption
+    }
+    char mark = 0;
+    REQUIRE(read(told[0], &mark, 1) == 1);
+    kill(child, SIGINT);
+    REQUIRE(read(told[0], &mark, 1) == 1);
+    kill(child, SIGTERM);
+    int status = 0;
+    REQUIRE(waitpid(child, &status, 0) == child);
+    CHECK(WIFSIGNALED(status));
+    CHECK(WTERMSIG(status) == SIGTERM);
+    close(told[0]);
+    close(told[1]);
 }
 
 TEST_CASE("stopped before the first sample, nothing is measured") {

@@ -97,14 +97,11 @@ Agreement compare(const Film& a, const Film& b, std::size_t comparisons) {
 }
 
 Agreement compareExact(const Film& film, const std::vector<Rgb>& exact, double err, std::size_t comparisons) {
-    Film truth = film;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        truth.pixels[i] = {};
-        truth.pixels[i].add(exact[i]);
-        truth.pixels[i].add(exact[i]);
-        // As a film whose standard error is the bound.
-        truth.pixels[i].squares = Rgb(err * err * 2.0);
-    }
+    // As a film whose standard error is the bound.
+    Film truth;
+    truth.add(exact);
+    truth.add(exact);
+    for (Rgb& squares : truth.pixels.squares) squares = Rgb(err * err * 2.0);
     return compare(film, truth, comparisons);
 }
 

@@ -11,6 +11,15 @@ std::uint32_t addWall(Scene& scene, Vec2 a, Vec2 b, Rgb albedo, Rgb emission, bo
     return index;
 }
 
+Segment wallOf(Vec2 a, Vec2 b, std::uint32_t material, Rgb emission) {
+    Segment wall;
+    wall.a = a;
+    wall.b = b;
+    wall.material = material;
+    wall.emission = emission;
+    return wall;
+}
+
 Scene polygonRoom(const std::vector<Vec2>& points, Rgb albedo, Rgb emission) {
     Scene scene;
     scene.materials.push_back(Diffuse{albedo});
@@ -19,6 +28,12 @@ Scene polygonRoom(const std::vector<Vec2>& points, Rgb albedo, Rgb emission) {
         scene.segments.push_back({points[i], points[(i + 1) % points.size()], 0, emission, false});
         scene.segmentNames.push_back("wall." + std::to_string(i));
     }
+    return scene;
+}
+
+Scene litBox() {
+    Scene scene = polygonRoom({{-1.0, 0.0}, {1.0, 0.0}, {1.0, 1.5}, {-1.0, 1.5}}, kBoxAlbedo);
+    scene.lights.emplace_back(PointLight{{0.3, 1.1}, {1.0, 0.8, 0.6}});
     return scene;
 }
 

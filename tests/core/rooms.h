@@ -11,8 +11,15 @@ namespace halfdisk::test {
 std::uint32_t addWall(Scene& scene, Vec2 a, Vec2 b, Rgb albedo = Rgb(0.5), Rgb emission = Rgb(0.0),
                       bool twoSided = false);
 
+/// A wall of a material that the scene has (or will have).
+Segment wallOf(Vec2 a, Vec2 b, std::uint32_t material, Rgb emission = Rgb(0.0));
+
 /// Closed polygon through `points` (counter-clockwise: it faces inward). All walls share one material.
 Scene polygonRoom(const std::vector<Vec2>& points, Rgb albedo = Rgb(0.5), Rgb emission = Rgb(0.0));
+
+/// A matt, convex box of 2 m by 1.5 m with a point light: what comes straight from that has no noise.
+inline constexpr Rgb kBoxAlbedo{0.7, 0.5, 0.3};
+Scene litBox();
 
 /// Counter-clockwise vertices of a regular polygon.
 std::vector<Vec2> regularPolygon(int sides, double radius = 1.0, Vec2 center = {0.0, 0.0});

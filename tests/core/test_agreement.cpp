@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 
@@ -44,6 +45,15 @@ const std::map<std::string, Part>& parts() {
     return all;
 }
 
+/// A photon's radius shrinks as samples grow, so that its bias stays below the noise.
+std::vector<std::pair<std::string, double>> paramsOf(const Part& part, std::uint64_t samples) {
+    auto params = part.params;
+    for (auto& [name, value] : params)
+        if (name == "radius" || name == "caustic-radius")
+            value *= std::sqrt(1e5 / static_cast<double>(samples));
+    return params;
+}
+
 /// It answers direct light alone, at depth 0, and has tests of its own.
 bool takesNoPart(const EstimatorInfo& info) {
     return info.id == "closed-form";
@@ -66,8 +76,9 @@ std::vector<Measured> measureAll(const Stage& stage, const Sensor& sensor, std::
         if (takesNoPart(*info) || !(info->sensors & bitOf(sensor))) continue;
         const Part& part = parts().at(std::string(info->id));
         const Problem problem{*stage.index, sensor, 2};
-        if (!refusalOf(*info, problem, valuesOf(*info, part.params)).empty()) continue;
-        Run run{.id = std::string(info->id), .params = part.params, .threads = 2};
+        const auto params = paramsOf(part, samples);
+        if (!refusalOf(*info, problem, valuesOf(*info, params)).empty()) continue;
+        Run run{.id = std::string(info->id), .params = params, .threads = 2};
         run.samples = static_cast<std::uint64_t>(static_cast<double>(samples) * part.share);
         all.push_back({run.id, info->paths(stage.scene, bitOf(sensor)), measure(stage, sensor, run)});
     }
@@ -97,10 +108,8 @@ void checkAgreement(const Stage& stage, std::uint64_t samples) {
 }
 
 Film scaled(Film film, double factor) {
-    for (Statistics& pixel : film.pixels) {
-        pixel.mean *= factor;
-        pixel.squares *= factor * factor;
-    }
+    for (Rgb& mean : film.pixels.mean) mean *= factor;
+    for (Rgb& squares : film.pixels.squares) squares *= factor * factor;
     return film;
 }
 

@@ -58,6 +58,7 @@ std::string refusal(const Scene& scene, const Sensor& sensor, std::uint32_t dept
 TEST_CASE("closed form: equals direct light where it claims to, and only there") {
     Random random(8);
     int open = 0, hidden = 0;
+    ArcMemory memory;
     for (int trial = 0; trial < 4000; ++trial) {
         const Scene scene = randomScene(random);
         const SegmentIndex index(scene);
@@ -67,7 +68,7 @@ TEST_CASE("closed form: equals direct light where it claims to, and only there")
                                    : ShadedPoint{random.pointIn(-2.0, 2.0), random.direction()};
         const double exact = directIrradiance(visibility, at).x, formula = unoccludedIrradiance(index, at).x;
         INFO(fmt::format("trial {}: {} and {}", trial, formula, exact));
-        if (obstacleAt(visibility, at)) {
+        if (obstacleAt(visibility, at, memory)) {
             ++hidden;
             // What stands in the way may shine as bright as what it hides; it cannot add light but by its own
             // form, which is in the sum already.
@@ -84,12 +85,13 @@ TEST_CASE("closed form: equals direct light where it claims to, and only there")
 TEST_CASE("closed form: fluence is half of the irradiance summed over all normals") {
     Random random(9);
     int open = 0;
+    ArcMemory memory;
     for (int trial = 0; trial < 40; ++trial) {
         const Scene scene = randomScene(random);
         const SegmentIndex index(scene);
         const Visibility visibility(index);
         const Vec2 P = random.pointIn(-2.0, 2.0);
-        if (obstacleAround(visibility, P)) continue;
+        if (obstacleAround(visibility, P, memory)) continue;
         ++open;
         constexpr int kNormals = 20'000;
         double sum = 0.0;
@@ -210,6 +212,6 @@ TEST_CASE("closed form: the same bits on any number of threads") {
     for (const unsigned threads : {2u, 3u}) {
         const Film more = run(threads);
         for (std::size_t i = 0; i < one.pixels.size(); ++i)
-            CHECK(std::memcmp(&one.pixels[i].mean, &more.pixels[i].mean, sizeof(Rgb)) == 0);
+            CHECK(std::memcmp(&one.pixels.mean[i], &more.pixels.mean[i], sizeof(Rgb)) == 0);
     }
 }

@@ -61,7 +61,7 @@ double worstClosure(const Scene& scene, std::uint32_t wanted) {
     const SegmentIndex index(scene);
     const Visibility visibility(index);
     const Patches patches(visibility, wanted);
-    const std::vector<double> lengths = exchangeLengths(index, patches);
+    const auto lengths = exchangeLengths(index, patches);
     double worst = 0.0;
     for (std::size_t i = 0; i < patches.size(); ++i) {
         if (patches.all()[i].hidden) continue;

@@ -186,7 +186,7 @@ TEST_CASE("radiosity: the same bits on any number of threads") {
     for (const unsigned threads : {2u, 3u}) {
         const Film more = run(threads);
         for (std::size_t i = 0; i < one.pixels.size(); ++i) {
-            CHECK(std::memcmp(&one.pixels[i].mean, &more.pixels[i].mean, sizeof(Rgb)) == 0);
+            CHECK(std::memcmp(&one.pixels.mean[i], &more.pixels.mean[i], sizeof(Rgb)) == 0);
             CHECK(one.pixels[i].standardError() == more.pixels[i].standardError());
         }
         CHECK(one.counts.rays == more.counts.rays);

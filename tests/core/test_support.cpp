@@ -1,7 +1,7 @@
 // Are the tests' own statistics right? Tail probabilities against tabulated values.
 #include <doctest/doctest.h>
 
-#include "support.h"
+#include "sweep.h"
 
 using namespace halfdisk;
 using namespace halfdisk::test;
@@ -42,4 +42,43 @@ TEST_CASE("z-test: without variance only rounding is forgiven") {
     CHECK_FALSE(ZTest{1.0 + 1e-9, 0.0, 1.0, 0.0}.within(kSweep));
     CHECK(ZTest{1.0 + 1e-9, 0.0, 1.0, 2e-9}.within(kSingle));
     CHECK_FALSE(ZTest{std::nan(""), 0.1, 1.0, 0.0}.within(kSweep));
+}
+
+TEST_CASE("sweep: by chance so many, and no more") {
+    // P(X > 0) = 1 - (1 - p)^n; of Poisson's distribution with mean 1, P(X > 6) = 8.3e-5 and P(X > 5)
+    // = 5.9e-4.
+    CHECK(mostByChance(0, 0.1) == 0);
+    CHECK(mostByChance(1, 0.9e-4) == 0);
+    CHECK(mostByChance(1, 1.1e-4) == 1);
+    CHECK(mostByChance(1'000'000, 1e-6) == 6);
+    CHECK(mostByChance(3, 0.5) == 3);
+}
+
+TEST_CASE("sweep: a right program passes, one that is off by five percent is told each time") {
+    const auto sweepOf = [](double bias, std::size_t& failed) {
+        Random random(4);
+        Sweep sweep;
+        for (int i = 0; i < 1000; ++i) {
+            // Means of uniform numbers: as normal ones, with a standard error of 0.5 %.
+            const auto measured = [&](bool again) {
+                Statistics draws;
+                for (int k = 0; k < (again ? 53'200 : 13'300); ++k)
+                    draws.add(Rgb(random.in(0.0, 2.0) + bias));
+                return std::vector{zTest(draws, 1.0)};
+            };
+            for (const ZTest& test : sweep.settle(measured)) failed += test.within(kSingle) ? 0 : 1;
+        }
+        return sweep;
+    };
+    std::size_t failed = 0;
+    const Sweep right = sweepOf(0.0, failed);
+    INFO(right.text());
+    CHECK(failed == 0);
+    CHECK(right.again() <= right.mostAgain());
+    CHECK(right.mostAgain() == 5);  // Poisson with mean 0.465: P(X > 4) = 1.2e-4
+    const Sweep wrong = sweepOf(0.05, failed);
+    CHECK(failed == 1000);
+    CHECK(wrong.again() == 1000);
+    CHECK(tellsFivePercent({1.0, 0.005, 1.0, 0.0}));
+    CHECK_FALSE(tellsFivePercent({1.0, 0.02, 1.0, 0.0}));
 }

@@ -1,13 +1,9 @@
 // What does a ray cost, and what does castRay's observer cost when nobody observes?
-#include <fmt/format.h>
-
 #include "benches.h"
 #include "core/cast_ray.h"
 #include "core/estimate.h"
-#include "lessons/lesson_file.h"
-#include "lessons/lesson_list.h"
-#include "lessons/scene_expansion.h"
-#include "lessons/scene_file.h"
+#include "required.h"
+#include "scenes.h"
 #include "timing.h"
 #include "unobserved_cast_ray.h"
 
@@ -67,27 +63,16 @@ Comparison compare(const SegmentIndex& index, Effort effort) {
 
 }  // namespace
 
-std::map<std::string, std::filesystem::path> lessonScenes() {
-    std::map<std::string, std::filesystem::path> scenes;
-    for (const LessonEntry& entry : listLessons(std::filesystem::path(HALFDISK_ROOT) / "lessons")) {
-        if (!entry.error.empty()) throw InputError(entry.error);
-        const std::filesystem::path file = loadLesson(entry.path).scenePath;
-        scenes[file.stem().string()] = file;
-    }
-    return scenes;
-}
-
-void benchRays(Effort effort) {
-    fmt::print(
+void benchObserver(Report& report, Effort effort) {
+    report.print(
         "castRay with NoObserver against the same source without observer: observer ratio (required: < 1.02),"
         " and ns per ray\n");
-    fmt::print("  {:<24} {:>8} {:>10} {:>12}\n", "scene", "walls", "ratio", "per ray");
-    for (const auto& [name, file] : lessonScenes()) {
-        const Scene scene = expandScene(loadScene(file));
+    report.print("  {:<24} {:>8} {:>10} {:>12}\n", "scene", "walls", "ratio", "per ray");
+    for (const auto& [name, scene] : lessonScenes()) {
         const SegmentIndex index(scene);
         const Comparison result = compare(index, effort);
-        fmt::print("  {:<24} {:>8} {:>10.4f} {:>9.1f} ns\n", name, scene.segments.size(), result.ratio,
-                   result.nanosecondsPerRay);
+        report.print("  {:<24} {:>8} {:>10.4f} {:>9.1f} ns\n", name, scene.segments.size(), result.ratio,
+                     result.nanosecondsPerRay);
     }
 }
 

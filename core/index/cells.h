@@ -9,7 +9,9 @@ namespace {
 /// The grid's cell at a place, the nearest one if it lies outside.
 inline std::int32_t cellAt(float place, float perSide, std::int32_t count) {
     const float cell = place * perSide;
-    return cell < 0.0f ? 0 : cell >= static_cast<float>(count) ? count - 1 : static_cast<std::int32_t>(cell);
+    return !(cell >= 0.0f)                     ? 0
+           : cell >= static_cast<float>(count) ? count - 1
+                                               : static_cast<std::int32_t>(cell);
 }
 
 /// About where a ray's first cell is kept; exactly, if the ray starts within the grid.

@@ -128,7 +128,9 @@ inline bool crossCells(const IndexView& index, Wedge& wedge) {
     const Slope a = slopeOf(wedge.left), b = slopeOf(wedge.right);
     const auto cellOf = [&](float place, std::int32_t count) {
         const float cell = place * grid.perSide;
-        return cell < 0.0f ? -1 : cell >= static_cast<float>(count) ? count : static_cast<std::int32_t>(cell);
+        return !(cell >= 0.0f)                     ? -1
+               : cell >= static_cast<float>(count) ? count
+                                                   : static_cast<std::int32_t>(cell);
     };
     std::int32_t slice = cellOf(origin - first, slices);
     const std::int32_t step = forward > 0.0f ? 1 : -1;

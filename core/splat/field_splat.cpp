@@ -11,6 +11,9 @@ namespace {
 constexpr std::size_t kMostRuns = 16384;
 constexpr std::ptrdiff_t kBandBytes = 512 << 10;
 
+// To wait is not worth while for a shorter flight.
+constexpr std::int32_t kFewSteps = 12;
+
 // Of so many, in one band, each takes some microseconds.
 constexpr std::size_t kRunsPerQuestion = 256;
 
@@ -144,7 +147,13 @@ bool FieldSplat::addSteps(const Steps& flight, double metres, const Rgb& perMetr
     };
     addPart(first, step, flight.across);
     if (last > 0.0) addPart(last, std::min(step + 1 + count, flight.steps - 1), next + slope * count);
-    if (count > 0) addRun(run);
+    if (count > kFewSteps) {
+        addRun(run);
+    } else {
+        for (std::int32_t j = 0; j < count; ++j)
+            addPiece(flight, perMetre, metresPerStep, step + 1 + j, run.place + slope * j,
+                     metresPerStep * perCell);
+    }
     return true;
 }
 

@@ -18,7 +18,7 @@ struct Part {
 constexpr std::array kParts{
     Part{"rays", benchIndex},      Part{"build", benchBuild},       Part{"estimators", benchEstimators},
     Part{"threads", benchThreads}, Part{"overhead", benchOverhead}, Part{"observer", benchObserver},
-    Part{"frame", benchFrame},
+    Part{"splat", benchSplat},     Part{"frame", benchFrame},
 };
 
 int refuse(const std::string& why) {

@@ -1,5 +1,6 @@
 // How much faster are two threads, and all, than one?
 #include <chrono>
+#include <cstdlib>
 #include <set>
 #include <thread>
 
@@ -13,6 +14,12 @@
 
 namespace halfdisk {
 namespace {
+
+/// What other programs ask of the machine besides, as told by the system; 0 if it doesn't tell.
+double loadAverage() {
+    double load = 0.0;
+    return getloadavg(&load, 1) == 1 ? load : 0.0;
+}
 
 /// Does a fixed piece of work, `size` times, on so many threads.
 using Work = std::function<void(std::uint64_t size, unsigned threads)>;
@@ -102,11 +109,11 @@ void benchOne(Report& report, const std::string& scene, std::string_view what, c
 }  // namespace
 
 void benchThreads(Report& report, Effort effort) {
+    const double load = loadAverage();
     report.print(
-        "Scaling with threads, by wall time: other programs that run meanwhile spoil it (required on two "
-        "cores: >= "
-        "{:g})\n",
-        kSpeedupOnTwoCores);
+        "Scaling with threads, by wall time (required on two cores: >= {:g}); load average {:.1f}{}\n",
+        kSpeedupOnTwoCores, load, load > 1.5 ? ": other programs are running, which spoils it" : "");
+    report.add("load", load);
     for (const auto& [name, scene] : lessonScenes()) {
         if (effort == Effort::quick && name != "small_room") continue;
         const SegmentIndex index(scene);

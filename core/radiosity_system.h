@@ -1,0 +1,16 @@
+// What do patches send each other, bounce by bounce or for ever? The system of linear equations of
+// radiosity.h.
+#pragma once
+
+#include <optional>
+
+#include "patches.h"
+
+namespace halfdisk {
+
+/// Radiance (W/(m rad)) that each patch scatters, of light that was scattered at most `bounces` times; empty:
+/// any number of times. Throws std::invalid_argument where that has no end, and Stopped if `stop` says so.
+std::vector<Rgb> scatteredRadiance(const Visibility& visibility, const Patches& patches,
+                                   std::optional<std::uint32_t> bounces, const StopQuestion& stop);
+
+}  // namespace halfdisk

@@ -19,10 +19,11 @@ readonly bench_packages=(libbenchmark-dev libbox2d-dev libembree-dev)
 
 usage() {
     cat <<EOF
-usage: setup.sh [--tests] [--sanitize] [--fuzz SECONDS] [--bench] [--quiet]
+usage: setup.sh [--tests] [--label LABEL] [--sanitize] [--fuzz SECONDS] [--bench] [--quiet]
 
 Installs the missing Debian packages and builds Halfdisk into build/.
   --tests         also what the tests need, and the tests themselves
+  --label LABEL   of the tests only those whose label matches this regular expression
   --sanitize      all with AddressSanitizer and UndefinedBehaviorSanitizer, into build-sanitize/
   --fuzz SECONDS  only the fuzz targets, with clang, into build-fuzz/; their tests run that long
   --bench         only the benchmark, with the programs that it compares with, as far as they can be installed
@@ -36,10 +37,15 @@ refuse() {
     exit 2
 }
 
-with_tests=false sanitize=false fuzz_seconds='' bench=false quiet=false
+with_tests=false label='' sanitize=false fuzz_seconds='' bench=false quiet=false
 while [[ $# -gt 0 ]]; do
     case $1 in
         --tests) with_tests=true ;;
+        --label)
+            [[ $# -ge 2 && -n $2 ]] || refuse "--label needs a value"
+            label=$2
+            shift
+            ;;
         --sanitize) sanitize=true ;;
         --fuzz)
             [[ $# -ge 2 && $2 =~ ^[1-9][0-9]*$ ]] || refuse "--fuzz needs a whole number of seconds"
@@ -129,16 +135,27 @@ configure() {
 # build FOLDER TARGETS...
 build() { quietly cmake --build "$1" --parallel "$(nproc)" --target "${@:2}"; }
 
+# build_tests FOLDER: all, or those of the label.
+build_tests() {
+    local targets=(all)
+    if [[ -n $label ]]; then
+        quietly ninja -C "$1" build.ninja # as CMakeLists.txt is now
+        mapfile -t targets < <(ninja -C "$1" -t targets all | sed -n 's/^tests_\(.*\): phony$/\1/p' | grep -E "$label" |
+            sed 's/^/tests_/')
+        [[ ${#targets[@]} -gt 0 ]] || refuse "no test has the label $label"
+    fi
+    build "$1" "${targets[@]}"
+}
+
 if [[ -n $fuzz_seconds ]]; then
     folder=$root/build-fuzz
     configure "$folder" -DCMAKE_BUILD_TYPE=Release -DHALFDISK_FUZZ=ON -DHALFDISK_FUZZ_SECONDS="$fuzz_seconds" \
         -DCMAKE_CXX_COMPILER=clang++-14
-    mapfile -t targets < <(ninja -C "$folder" -t targets all | sed -n 's/^\(fuzz_[a-z_]*\): phony$/\1/p')
-    build "$folder" "${targets[@]}"
+    build "$folder" tests_fuzz
 elif $sanitize; then
     folder=$root/build-sanitize
     configured "$folder" || configure "$folder" -DCMAKE_BUILD_TYPE=Release -DHALFDISK_SANITIZE=ON
-    build "$folder" all
+    build_tests "$folder"
 elif $bench; then
     folder=$root/build
     configure "$folder" -DCMAKE_BUILD_TYPE=Release # afresh: it looks for the programs to compare with
@@ -146,5 +163,5 @@ elif $bench; then
 else
     folder=$root/build
     configured "$folder" || configure "$folder" -DCMAKE_BUILD_TYPE=Release
-    if $with_tests; then build "$folder" all; else build "$folder" halfdisk; fi
+    if $with_tests; then build_tests "$folder"; else build "$folder" halfdisk; fi
 fi

@@ -49,6 +49,7 @@ SegmentIndex::SegmentIndex(const Scene& scene, IndexMethod method, const Kernels
     for (const Edge& edge : edges_) mostShift = std::max(mostShift, edge.originShift);
     build();
     view_ = {.segments = scene.segments.data(),
+             .few = store_.few.empty() ? nullptr : store_.few.data(),
              .blocks = store_.blocks.data(),
              .blockCount = static_cast<std::uint32_t>(store_.blocks.size()),
              .nodes = store_.nodes.data(),
@@ -63,6 +64,7 @@ SegmentIndex::SegmentIndex(const Scene& scene, IndexMethod method, const Kernels
 
 void SegmentIndex::build() {
     const std::vector<Segment>& segments = scene_->segments;
+    if (segments.empty()) method_ = IndexMethod::everyWall;  // the others take it that there are some
     if (method_ == IndexMethod::everyWall) return;
     if (method_ == IndexMethod::automatic && segments.size() > kMostByBruteForce) {
         method_ = IndexMethod::tree;

@@ -73,6 +73,7 @@ if [[ -n $label ]]; then by_label=(--label-regex "$label"); fi
 
 folder=$root/build
 setup=(--tests)
+if [[ -n $label ]]; then setup+=(--label "$label"); fi
 if $sanitize; then
     folder=$root/build-sanitize
     setup+=(--sanitize)

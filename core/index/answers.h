@@ -2,14 +2,33 @@
 #pragma once
 
 #include "core/index/fan.h"
+#include "core/index/few_walls.h"
 #include "core/index/kernels.h"
 #include "core/index/occlusion.h"
 
 namespace halfdisk {
 namespace {
 
+inline Hit answerClosest(const IndexView& index, const Ray& ray) {
+    return index.few ? closestOfFew(index, ray) : closestHit(index, ray);
+}
+
+inline bool answerOccluded(const IndexView& index, const Ray& ray, double tMax, std::uint32_t lamp) {
+    return index.few ? occludedByFew(index, ray, tMax, lamp) : occluded(index, ray, tMax, lamp);
+}
+
+inline void answerBatch(const IndexView& index, const Ray* rays, Hit* hits, std::size_t count) {
+    if (!index.few) return closestHits(index, rays, hits, count);
+    for (std::size_t i = 0; i < count; ++i) hits[i] = closestOfFew(index, rays[i]);
+}
+
+inline void answerFan(const IndexView& index, const Ray* rays, Hit* hits, std::size_t count) {
+    if (index.few) return answerBatch(index, rays, hits, count);
+    closestHitsFan(index, rays, hits, count);
+}
+
 constexpr Kernels tableOf(InstructionSet instructions) {
-    return {instructions, closestOfAll, occludedByAny, closestHit, occluded, closestHits, closestHitsFan};
+    return {instructions, closestOfAll, occludedByAny, answerClosest, answerOccluded, answerBatch, answerFan};
 }
 
 }  // namespace

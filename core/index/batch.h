@@ -43,8 +43,10 @@ inline void closestHitsOfGroup(const IndexView& index, const Ray* rays, Hit* hit
     for (std::size_t i = 0; i < count; ++i) {
         if (group.fit[i] != Fit::fits) {
             hits[i] = group.fit[i] == Fit::misses ? Hit{} : closestOfAll(index, rays[i]);
+        } else if (group.sure[i]) {
+            meet(index, rays[i], group.found[i], hits[i]);
         } else {
-            hits[i] = group.sure[i] ? hitOf(index, rays[i], group.found[i]) : closestWithCare(index, rays[i]);
+            hits[i] = closestWithCare(index, rays[i]);
         }
     }
 }

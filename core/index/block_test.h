@@ -30,20 +30,18 @@ struct Lanes {
 /// Pairs of a wall (from A, relative to the origin, along E) and a direction, one in each lane.
 [[gnu::always_inline]] inline Lanes testPairs(Floats ax, Floats ay, Floats ex, Floats ey, Floats dx,
                                               Floats dy, Floats sideSlack, Floats wallSlack, Floats T) {
-    const Floats sideP = mulSub(dx, ay, dy * ax);
     const Floats along = mulSub(dx, ey, dy * ex);
-    const Floats sideQ = sideP + along;
-    const Floats lower = min(sideP, sideQ), upper = max(sideP, sideQ);
     Lanes found;
     // t = cross(P - O, E) / cross(D, E), without the division.
     found.distance = turned(mulSub(ax, ey, ay * ex), along);
     found.slope = abs(along);
     found.slack = wallSlack * (abs(ex) + abs(ey));
-    found.possible = lessEqual(lower, sideSlack) & lessEqual(-sideSlack, upper) &
-                     lessEqual(-found.slack, found.distance) &
+    // Where the ray's line crosses the wall's, from both of its ends, times the slope.
+    const Floats fromP = turned(mulSub(dy, ax, dx * ay), along);
+    const Floats inside = min(fromP, found.slope - fromP);
+    found.possible = lessEqual(-sideSlack, inside) & lessEqual(-found.slack, found.distance) &
                      lessEqual(found.distance, mulAdd(T, found.slope, found.slack));
-    found.sure = lessEqual(lower, -sideSlack) & lessEqual(sideSlack, upper) &
-                 lessEqual(found.slack, found.distance) & found.possible;
+    found.sure = lessEqual(sideSlack, inside) & lessEqual(found.slack, found.distance) & found.possible;
     return found;
 }
 

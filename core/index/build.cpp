@@ -15,7 +15,6 @@ IndexFrame frameOf(const std::vector<Segment>& segments) {
         least = glm::min(least, glm::min(s.a, s.b));
         most = glm::max(most, glm::max(s.a, s.b));
     }
-    if (segments.empty()) return {};
     IndexFrame frame;
     frame.middle = 0.5 * least + 0.5 * most;
     const Vec2 half = 0.5 * most - 0.5 * least;
@@ -31,6 +30,19 @@ void addList(const std::vector<Segment>& segments, IndexStore& store) {
         const std::size_t count = std::min(kWidth, segments.size() - first);
         for (std::size_t i = 0; i < count; ++i) walls[i] = static_cast<std::uint32_t>(first + i);
         addBlock(segments, {walls.data(), count}, store);
+    }
+}
+
+void addFew(const std::vector<Segment>& segments, IndexStore& store) {
+    FewWalls& few = store.few.emplace_back();
+    for (std::size_t i = 0; i < kMostFew; ++i) {
+        constexpr Vec2 kNone(std::numeric_limits<double>::quiet_NaN());
+        const bool isWall = i < segments.size();
+        const Vec2 a = isWall ? segments[i].a : kNone, b = isWall ? segments[i].b : kNone;
+        few.ax[i] = a.x;
+        few.ay[i] = a.y;
+        few.bx[i] = b.x;
+        few.by[i] = b.y;
     }
 }
 
@@ -60,7 +72,10 @@ IndexStore buildIndex(const std::vector<Segment>& segments, Layout layout) {
     IndexStore store;
     store.frame = frameOf(segments);
     for (const Segment& s : segments) store.mostShift = std::max(store.mostShift, shiftOf(s));
-    if (segments.empty() || layout == Layout::list) {
+    const bool isOrdinary = store.frame.scale > 1e-100 && store.frame.scale < 1e100;
+    if (layout == Layout::list && segments.size() <= kMostFew && isOrdinary) {
+        addFew(segments, store);
+    } else if (layout == Layout::list) {
         addList(segments, store);
     } else if (layout == Layout::tree) {
         addTree(segments, store);

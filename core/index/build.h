@@ -11,6 +11,7 @@ namespace halfdisk {
 struct IndexStore {
     IndexFrame frame;
     double mostShift = 0.0;
+    std::vector<FewWalls> few;  ///< one, or none
     std::vector<WallBlock> blocks;
     std::vector<BoxNode> nodes;             ///< of a tree
     std::vector<std::uint32_t> cellStarts;  ///< of a grid
@@ -19,15 +20,16 @@ struct IndexStore {
         0.0;  ///< of a grid: standard deviation of the cells' numbers of walls over their mean
 
     std::size_t bytes() const {
-        return blocks.size() * sizeof(WallBlock) + nodes.size() * sizeof(BoxNode) +
-               cellStarts.size() * sizeof(std::uint32_t);
+        return few.size() * sizeof(FewWalls) + blocks.size() * sizeof(WallBlock) +
+               nodes.size() * sizeof(BoxNode) + cellStarts.size() * sizeof(std::uint32_t);
     }
 };
 
-/// How blocks are found: all of them, by boxes, or by cells.
+/// How walls are found: all of them, by boxes, or by cells.
 enum class Layout : std::uint8_t { list, tree, grid };
 
-/// The walls' coordinates are finite. In a list, the scene's order stays; else neighbours share blocks.
+/// There are walls, and their coordinates are finite. In a list, the scene's order stays; else neighbours
+/// share blocks.
 IndexStore buildIndex(const std::vector<Segment>& segments, Layout layout);
 
 }  // namespace halfdisk

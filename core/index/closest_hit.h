@@ -23,7 +23,8 @@ struct FirstWall {
     [[gnu::always_inline]] bool operator()(const WallBlock& block) {
         for (int first = 0; first < static_cast<int>(kWidth); first += kLanes) {
             const Lanes found = testWalls(block, first, lanes, T);
-            const Mask possible = found.possible & isNot(skip, block, first);
+            // In a grid a wall comes in every cell that it touches.
+            const Mask possible = found.possible & isNot(skip, block, first) & isNot(segment, block, first);
             if (bits(possible) == 0) continue;
             const Range range = rangeOf(found);
             alignas(64) float until[kLanes];
@@ -129,11 +130,26 @@ inline Hit closestOfAll(const IndexView& index, const Ray& ray) {
     return crowd.chosen;
 }
 
-/// Where a ray meets the wall that single precision is sure of; a miss for kNoSegment.
-inline Hit hitOf(const IndexView& index, const Ray& ray, std::uint32_t segment) {
-    if (segment == kNoSegment) return {};
-    const Crossing crossing = crossPlainly(index.segments[segment], ray);
-    return {segment, crossing.t, crossing.u, crossing.front};
+/// `value`, or 0 if `missed` is 1. Without a branch.
+inline double unless(unsigned missed, double value) {
+    std::int64_t kept;
+    __builtin_memcpy(&kept, &value, sizeof kept);
+    kept &= static_cast<std::int64_t>(missed) - 1;
+    __builtin_memcpy(&value, &kept, sizeof kept);
+    return value;
+}
+
+/// Where a ray meets the wall that single precision is sure of; a miss for kNoSegment. Without a branch,
+/// which would be guessed wrong wherever rays often leave the scene. Writes in place: a copy of what was just
+/// written in parts has to wait for it.
+[[gnu::always_inline]] inline void meet(const IndexView& index, const Ray& ray, std::uint32_t segment,
+                                        Hit& hit) {
+    const unsigned missed = segment == kNoSegment ? 1 : 0;
+    const Crossing crossing = crossPlainly(index.segments[segment & (missed - 1)], ray);
+    hit.segment = segment;
+    hit.t = unless(missed, crossing.t) + unless(1 - missed, std::numeric_limits<double>::infinity());
+    hit.u = unless(missed, crossing.u);
+    hit.front = (static_cast<unsigned>(crossing.front) & ~missed) != 0;
 }
 
 inline Hit closestHit(const IndexView& index, const Ray& ray) {
@@ -143,7 +159,9 @@ inline Hit closestHit(const IndexView& index, const Ray& ray) {
     FirstWall search(ray, single);
     forBlocks<true>(index, single, search);
     if (!search.isSure()) return closestWithCare(index, ray);
-    return hitOf(index, ray, search.segment);
+    Hit hit;
+    meet(index, ray, search.segment, hit);
+    return hit;
 }
 
 }  // namespace

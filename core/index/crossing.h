@@ -35,6 +35,10 @@ inline double shiftOf(const Segment& s) {
     return kShiftRoundings * std::numeric_limits<double>::epsilon() * most;
 }
 
+// A ray runs along a wall if the sine of the angle between them is less than about this. Below it t is off by
+// more than a few 1e-9 of the way to the wall's ends.
+constexpr double kAlong = 1e-7;
+
 struct Crossing {
     bool met = false;    // if not, the rest means nothing
     bool front = false;  // the ray came from the front side
@@ -61,7 +65,10 @@ inline Crossing crossPlainly(const Segment& s, const Ray& ray) {
 /// the wall's ends.
 inline Crossing cross(const Segment& s, const Ray& ray) {
     Crossing crossing = crossPlainly(s, ray);
-    const double dx = ray.direction.x, dy = ray.direction.y, length2 = dx * dx + dy * dy;
+    const double dx = ray.direction.x, dy = ray.direction.y;
+    const double size = magnitude(s.b.x - s.a.x) + magnitude(s.b.y - s.a.y);
+    if (crossing.slope > kAlong * (magnitude(dx) + magnitude(dy)) * size) return crossing;
+    const double length2 = dx * dx + dy * dy;
     const double atA = ((s.a.x - ray.origin.x) * dx + (s.a.y - ray.origin.y) * dy) / length2;
     const double atB = ((s.b.x - ray.origin.x) * dx + (s.b.y - ray.origin.y) * dy) / length2;
     // Wider than the rounding of any t that is good for something.

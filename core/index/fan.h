@@ -97,11 +97,13 @@ struct Wedge {
         const Floats until = chosen(found.sure & found.possible, range.until, all(kFar));
         // NaN becomes 0, and is looked at with care.
         const Floats from = chosen(found.possible, max(range.from, Floats{}), all(2.0f * kFar));
-        const Mask closer = less(until, T);
-        contested = min(contested, chosen(closer, earliest, from));
+        // In a grid a wall comes in every cell that it touches.
+        const Ints id = all(static_cast<std::int32_t>(block.segment[number]));
+        const Mask isNew = notEqual(id, segments), closer = less(until, T) & isNew;
+        contested = min(contested, chosen(closer, earliest, chosen(isNew, from, all(2.0f * kFar))));
         earliest = chosen(closer, from, earliest);
-        segments = chosen(closer, all(static_cast<std::int32_t>(block.segment[number])), segments);
-        T = min(until, T);
+        segments = chosen(closer, id, segments);
+        T = chosen(closer, until, T);
     }
 };
 
@@ -219,8 +221,11 @@ inline bool closestHitsOfWedge(const IndexView& index, const Ray* rays, Hit* hit
     alignas(64) std::int32_t segments[kLanes];
     store(segments, wedge.segments);
     for (int i = 0; i < kLanes; ++i)
-        hits[i] = contested >> i & 1u ? closestWithCare(index, rays[i])
-                                      : hitOf(index, rays[i], static_cast<std::uint32_t>(segments[i]));
+        if (contested >> i & 1u) {
+            hits[i] = closestWithCare(index, rays[i]);
+        } else {
+            meet(index, rays[i], static_cast<std::uint32_t>(segments[i]), hits[i]);
+        }
     return true;
 }
 

@@ -38,7 +38,7 @@ inline void store(std::int32_t* to, Ints values) {
     *reinterpret_cast<Ints*>(to) = values;
 }
 inline Floats all(float value) {
-    return Floats{} + value;
+    return value - Floats{};  // + would turn -0 into 0, and takes an instruction
 }
 inline Ints all(std::int32_t value) {
     return Ints{} + value;

@@ -24,6 +24,13 @@ struct alignas(64) WallBlock {
     std::uint32_t segment[kWidth];
 };
 
+/// Walls of a scene that has no more than these, as they are: all are asked at once, in double precision. NaN
+/// where there is no wall.
+inline constexpr std::size_t kMostFew = 16;
+struct alignas(64) FewWalls {
+    double ax[kMostFew], ay[kMostFew], bx[kMostFew], by[kMostFew];  ///< m
+};
+
 /// A child is a node, or a block if kLeaf is set.
 inline constexpr std::uint32_t kLeaf = 0x80000000;
 
@@ -60,6 +67,7 @@ struct IndexFrame {
 /// All that a kernel reads.
 struct IndexView {
     const Segment* segments;
+    const FewWalls* few;  ///< none: there are more, see the rest
     const WallBlock* blocks;
     std::uint32_t blockCount;
     const BoxNode* nodes;  ///< the root comes first; none: all blocks are tried

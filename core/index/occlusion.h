@@ -68,6 +68,25 @@ struct ShadowVisit {
     }
 };
 
+/// Whether a wall of a list surely stands in the way, or may (`unclear`). All walls, without a branch: one
+/// that is guessed wrong costs as much as several blocks.
+inline bool isBlocked(const IndexView& index, const Shadow& shadow, const RayLanes& lanes, float T,
+                      bool& unclear) {
+    unsigned sure = 0, maybe = 0;
+    const Floats end = all(T);
+    for (std::uint32_t i = 0; i < index.blockCount; ++i)
+        for (int first = 0; first < static_cast<int>(kWidth); first += kLanes) {
+            const WallBlock& block = index.blocks[i];
+            const Lanes walls = testWalls(block, first, lanes, T);
+            const Mask before = lessEqual(walls.distance, mulSub(end, walls.slope, all(3.0f) * walls.slack));
+            sure |= bits(walls.sure & before & isNot(shadow.ray.skip, block, first) &
+                         isNot(shadow.lamp, block, first));
+            maybe |= bits(walls.possible);
+        }
+    unclear = maybe != 0;
+    return sure != 0;
+}
+
 inline bool occluded(const IndexView& index, const Ray& ray, double tMax, std::uint32_t lamp) {
     const Shadow shadow(index, ray, tMax, lamp);
     FloatRay single;
@@ -79,8 +98,13 @@ inline bool occluded(const IndexView& index, const Ray& ray, double tMax, std::u
         case Fit::tooLarge:
             return occludedByAny(index, ray, tMax, lamp);
     }
-    const float T = single.upTo(tMax);
-    ShadowVisit visit{shadow, RayLanes(single), T < kFar ? T : kFar};
+    const float upTo = single.upTo(tMax), T = upTo < kFar ? upTo : kFar;
+    if (!index.cellStarts && index.nodeCount == 0) {
+        bool unclear = false;
+        const bool blocked = isBlocked(index, shadow, RayLanes(single), T, unclear);
+        if (blocked || !unclear) return blocked;
+    }
+    ShadowVisit visit{shadow, RayLanes(single), T};
     forBlocks<false>(index, single, visit);
     return visit.found;
 }

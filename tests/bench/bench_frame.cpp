@@ -23,7 +23,7 @@ WallPoint along(const Scene& scene, double fraction) {
 /// for. In full, 60 frames a second as on a screen, so that the light has as long as it has there.
 std::vector<double> dragAlong(const LessonEntry& entry, Effort effort) {
     const bool full = effort == Effort::full;
-    const int frames = full ? 600 : 20;
+    const int frames = full ? 300 : 20;
     const auto host = HeadlessHost::withoutGl(1280, 800);
     Session session;
     session.state = openLesson(entry.path.parent_path(), LessonRef{entry.slug, 1});

@@ -71,8 +71,13 @@ void benchObserver(Report& report, Effort effort) {
     for (const auto& [name, scene] : lessonScenes()) {
         const SegmentIndex index(scene);
         const Comparison result = compare(index, effort);
-        report.print("  {:<24} {:>8} {:>10.4f} {:>9.1f} ns\n", name, scene.segments.size(), result.ratio,
-                     result.nanosecondsPerRay);
+        const auto mark = report.judge("observer ratio, " + name, result.ratio, std::nullopt, kObserverRatio);
+        report.print("  {:<24} {:>8} {:>10.4f} {:>9.1f} ns  {}\n", name, scene.segments.size(), result.ratio,
+                     result.nanosecondsPerRay, mark);
+        report.add("observer", {{"scene", name},
+                                {"walls", scene.segments.size()},
+                                {"ratio", result.ratio},
+                                {"nanosecondsPerRay", result.nanosecondsPerRay}});
     }
 }
 

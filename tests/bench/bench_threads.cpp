@@ -92,7 +92,7 @@ void benchOne(Report& report, const std::string& scene, std::string_view what, c
     report.print("  {:<18} {:<12}", scene, what);
     nlohmann::ordered_json row{{"scene", scene}, {"work", what}};
     for (const unsigned threads : std::set<unsigned>{2, std::max(2u, cores)}) {
-        const Scaling scaling = compare(work, threads, full ? 0.25 : 0.005, full ? 7 : 1);
+        const Scaling scaling = compare(work, threads, full ? 0.25 : 0.005, full ? 5 : 1);
         std::string_view mark;
         if (threads == 2 && cores >= 2)
             mark = report.judge(fmt::format("speedup by two threads, {}, {}", scene, what), scaling.speedup,

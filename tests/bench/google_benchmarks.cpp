@@ -6,77 +6,21 @@
 
 #include <fmt/format.h>
 
-#include <functional>
-
-#include "peers.h"
-#include "required.h"
+#include "questions.h"
 
 using namespace halfdisk;
 
 namespace {
 
-constexpr std::size_t kPool = 32'768;
-constexpr std::size_t kBatch = 4'096;
-
-struct Questions {
-    std::vector<Ray> rays;
-    std::vector<double> tMax;
-    std::vector<FloatRay> floats;
-    std::vector<Hit> hits = std::vector<Hit>(kPool);
-    std::vector<PeerHit> peerHits = std::vector<PeerHit>(kPool);
-    std::vector<std::uint8_t> answers = std::vector<std::uint8_t>(kPool);
-};
-
-Questions ask(Query query, const Scene& scene) {
-    Questions q;
-    if (query == Query::any || query == Query::anyBatch)
-        q.rays = pointPairs(scene, kPool, q.tMax);
-    else
-        q.rays = query == Query::fan ? halfDiskFans(scene, kPool / kFanRays) : incoherentRays(scene, kPool);
-    q.floats = floatRays(q.rays, q.tMax);
-    return q;
-}
-
-/// Answers rays first ... first + count - 1; the count divides kPool.
-void answer(const SegmentIndex& index, Query query, Questions& q, std::size_t first, std::size_t count) {
-    const auto rays = std::span<const Ray>(q.rays).subspan(first, count);
-    const auto hits = std::span(q.hits).subspan(first, count);
-    switch (query) {
-        case Query::closest:
-            for (std::size_t i = 0; i < count; ++i) hits[i] = index.closestHit(rays[i]);
-            break;
-        case Query::closestBatch:
-            index.closestHits(rays, hits);
-            break;
-        case Query::any:
-            for (std::size_t i = 0; i < count; ++i) q.answers[i] = index.occluded(rays[i], q.tMax[first + i]);
-            break;
-        case Query::anyBatch:
-            index.occluded(rays, std::span(q.tMax).subspan(first, count),
-                           std::span(q.answers).subspan(first, count));
-            break;
-        case Query::fan:
-            index.closestHitsFan(rays, hits);
-            break;
-    }
-}
-
-void answer(const Peer& peer, Query query, Questions& q, std::size_t first, std::size_t count) {
-    const auto rays = std::span<const FloatRay>(q.floats).subspan(first, count);
-    if (query == Query::any || query == Query::anyBatch)
-        peer.occluded(rays, std::span(q.answers).subspan(first, count));
-    else
-        peer.closest(rays, std::span(q.peerHits).subspan(first, count));
-}
-
 /// One iteration is a batch, or a fan.
 template <class Answerer>
 void run(benchmark::State& state, const Answerer& answerer, Query query, const Scene& scene) {
-    Questions questions = ask(query, scene);
+    const Questions questions = ask(query, scene, 0);
+    Answers answers(questions);
     const std::size_t count = query == Query::fan ? kFanRays : kBatch;
     std::size_t first = 0;
     for (auto _ : state) {
-        answer(answerer, query, questions, first, count);
+        answers.by(answerer, first, count);
         benchmark::ClobberMemory();
         first = (first + count) % kPool;
     }

@@ -3,20 +3,16 @@
 #include <algorithm>
 #include <array>
 
-#include "hit_check.h"
+#include "questions.h"
 #include "timing.h"
 
 namespace halfdisk {
 namespace {
 
-constexpr std::size_t kPool = 32'768;  // rays: small enough for the second-level cache
-constexpr std::size_t kBatch = 4'096;
 constexpr std::size_t kMostForBox2D = 10'000;
 constexpr std::size_t kMostForBrute = 1'000;
-// Walls asked by one brute check, about a second.
-constexpr double kCheckWork = 4e8;
-// m: what t may be off by in the unit box.
-constexpr double kDoubleTolerance = 1e-9, kFloatTolerance = 1e-5;
+// Walls asked by one brute check.
+constexpr double kCheckWork = 2e8;
 
 struct MethodName {
     IndexMethod method;
@@ -33,105 +29,13 @@ const char* nameOf(IndexMethod method) {
     return "";
 }
 
-/// The rays of one kind of question, and what is true of the first of them.
-struct Questions {
-    std::vector<Ray> rays;
-    std::vector<double> tMax;
-    std::vector<FloatRay> floats;
-    std::vector<Hit> hits;              // brute: as many as are checked
-    std::vector<std::uint8_t> answers;  // the same of any hit
-};
-
-Questions ask(Query query, const Scene& scene, Effort effort) {
-    Questions questions;
-    const bool any = query == Query::any || query == Query::anyBatch;
-    if (any)
-        questions.rays = pointPairs(scene, kPool, questions.tMax);
-    else
-        questions.rays =
-            query == Query::fan ? halfDiskFans(scene, kPool / kFanRays) : incoherentRays(scene, kPool);
-    questions.floats = floatRays(questions.rays, questions.tMax);
-    const double work = effort == Effort::full ? kCheckWork : kCheckWork / 20.0;
-    const double affordable = work / static_cast<double>(scene.segments.size());
-    const auto checked = std::clamp<std::size_t>(static_cast<std::size_t>(affordable), kFanRays, kPool);
-    for (std::size_t i = 0; i < checked / kFanRays * kFanRays; ++i)
-        if (any)
-            questions.answers.push_back(bruteOccluded(scene, questions.rays[i], questions.tMax[i]));
-        else
-            questions.hits.push_back(bruteClosest(scene, questions.rays[i]));
-    return questions;
+/// So many answers are checked that it takes about a second.
+std::size_t checkedRays(const Scene& scene, Effort effort) {
+    const double walls = effort == Effort::full ? kCheckWork : kCheckWork / 20.0;
+    const double affordable = walls / static_cast<double>(scene.segments.size());
+    const auto rays = std::clamp<std::size_t>(static_cast<std::size_t>(affordable), kFanRays, kPool);
+    return rays / kFanRays * kFanRays;
 }
-
-/// Calls `work(first, count)` for pieces of at most `piece`.
-template <class Work>
-void inPieces(std::size_t first, std::size_t count, std::size_t piece, const Work& work) {
-    for (; count > 0; first += std::min(count, piece), count -= std::min(count, piece))
-        work(first, std::min(count, piece));
-}
-
-/// Answers all questions of one kind, into its own place.
-class Runner {
- public:
-    Runner(Query query, const Questions& questions)
-        : query_(query), questions_(questions), hits_(kPool), peerHits_(kPool), answers_(kPool) {}
-
-    void run(const SegmentIndex& index, std::size_t first, std::size_t count) {
-        const std::span rays(questions_.rays);
-        const std::span hits(hits_);
-        switch (query_) {
-            case Query::closest:
-                for (std::size_t i = first; i < first + count; ++i) hits[i] = index.closestHit(rays[i]);
-                break;
-            case Query::closestBatch:
-                inPieces(first, count, kBatch, [&](std::size_t at, std::size_t size) {
-                    index.closestHits(rays.subspan(at, size), hits.subspan(at, size));
-                });
-                break;
-            case Query::any:
-                for (std::size_t i = first; i < first + count; ++i)
-                    answers_[i] = index.occluded(rays[i], questions_.tMax[i]);
-                break;
-            case Query::anyBatch:
-                inPieces(first, count, kBatch, [&](std::size_t at, std::size_t size) {
-                    index.occluded(rays.subspan(at, size), std::span(questions_.tMax).subspan(at, size),
-                                   std::span(answers_).subspan(at, size));
-                });
-                break;
-            case Query::fan:
-                inPieces(first, count, kFanRays, [&](std::size_t at, std::size_t size) {
-                    index.closestHitsFan(rays.subspan(at, size), hits.subspan(at, size));
-                });
-                break;
-        }
-    }
-
-    void run(const Peer& peer, std::size_t first, std::size_t count, bool packets) {
-        const auto rays = std::span(questions_.floats).subspan(first, count);
-        const auto hits = std::span(peerHits_).subspan(first, count);
-        if (query_ == Query::any || query_ == Query::anyBatch)
-            peer.occluded(rays, std::span(answers_).subspan(first, count));
-        else if (packets)
-            peer.closestPackets(rays, hits);
-        else
-            peer.closest(rays, hits);
-    }
-
-    std::size_t differences(bool ofPeer) const {
-        const std::size_t checked = std::max(questions_.hits.size(), questions_.answers.size());
-        if (!questions_.answers.empty())
-            return countDifferences(std::span(answers_).first(checked), questions_.answers);
-        if (ofPeer)
-            return countDifferences(std::span(peerHits_).first(checked), questions_.hits, kFloatTolerance);
-        return countDifferences(std::span(hits_).first(checked), questions_.hits, kDoubleTolerance);
-    }
-
- private:
-    Query query_;
-    const Questions& questions_;
-    std::vector<Hit> hits_;
-    std::vector<PeerHit> peerHits_;
-    std::vector<std::uint8_t> answers_;
-};
 
 /// Everything that is asked, in one scene.
 struct Racers {
@@ -161,29 +65,32 @@ constexpr const char* kTwoTriangles = "Embree, 2 triangles";
 constexpr const char* kBox2D = "Box2D";
 
 Race race(const QueryInfo& query, const Scene& scene, const Racers& racers, Effort effort) {
-    const Questions questions = ask(query.query, scene, effort);
-    const std::size_t checked = std::max(questions.hits.size(), questions.answers.size());
-    Runner runner(query.query, questions);
+    const Questions questions = ask(query.query, scene, checkedRays(scene, effort));
+    Answers answers(questions);
     Race race;
     race.query = &query;
     race.segments = scene.segments.size();
-    race.checked = checked;
+    race.checked = questions.checked;
     race.method = nameOf(racers.own.method());
     std::vector<Contender> contenders;
     // Each answers what is checked before it is timed.
-    const auto enter = [&](std::string who, bool isPeer, Contender contender) {
-        contender(0, checked);
-        race.laps.push_back({std::move(who), 0.0, runner.differences(isPeer)});
-        contenders.push_back(std::move(contender));
+    const auto check = [&](std::string who, bool isPeer, const Contender& contender) {
+        answers.spoil();
+        contender(0, questions.checked);
+        race.laps.push_back({std::move(who), 0.0, answers.differences(isPeer)});
+    };
+    const auto own = [&](const SegmentIndex& index) -> Contender {
+        return [&](std::size_t first, std::size_t count) { answers.by(index, first, count); };
     };
     const auto enterOwn = [&](const char* who, const SegmentIndex& index) {
-        enter(who, false, [&](std::size_t first, std::size_t count) { runner.run(index, first, count); });
+        contenders.push_back(own(index));
+        check(who, false, contenders.back());
     };
     const auto enterPeer = [&](const char* who, const std::unique_ptr<Peer>& peer, bool packets = false) {
         if (!peer) return;
-        enter(who, true, [&, packets](std::size_t first, std::size_t count) {
-            runner.run(*peer, first, count, packets);
-        });
+        contenders.push_back(
+            [&, packets](std::size_t first, std::size_t count) { answers.by(*peer, first, count, packets); });
+        check(who, true, contenders.back());
     };
     enterOwn("Halfdisk", racers.own);
     for (const auto& index : racers.methods)
@@ -194,9 +101,10 @@ Race race(const QueryInfo& query, const Scene& scene, const Racers& racers, Effo
     enterPeer(kBox2D, racers.box2D);
 
     const bool full = effort == Effort::full;
-    const Contest contest(
-        contenders,
-        {.items = kPool, .block = kFanRays, .turns = full ? 15 : 3, .turnSeconds = full ? 0.015 : 0.001});
+    const Contest contest(contenders, {.items = kPool,
+                                       .block = questions.block(),
+                                       .turns = full ? 11 : 3,
+                                       .turnSeconds = full ? 0.012 : 0.001});
     for (std::size_t i = 0; i < race.laps.size(); ++i) {
         Lap& lap = race.laps[i];
         lap.seconds = contest.secondsPerItem(i);
@@ -208,11 +116,8 @@ Race race(const QueryInfo& query, const Scene& scene, const Racers& racers, Effo
             race.overEmbree = over;
         }
     }
-    for (const auto& index : racers.methods) {
-        if (isTimed(index->method(), race.segments)) continue;
-        runner.run(*index, 0, checked);
-        race.laps.push_back({nameOf(index->method()), 0.0, runner.differences(false)});
-    }
+    for (const auto& index : racers.methods)
+        if (!isTimed(index->method(), race.segments)) check(nameOf(index->method()), false, own(*index));
     return race;
 }
 

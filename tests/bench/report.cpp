@@ -22,6 +22,7 @@ std::string_view Report::judge(const std::string& what, double measured, std::op
 
 void Report::finish() {
     if (json_) {
+        results_["judged"] = judging_;
         results_["met"] = met_;
         results_["missed"] = missed_;
         fmt::print("{}\n", results_.dump(1));

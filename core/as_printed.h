@@ -76,9 +76,9 @@ Irradiance AsPrinted<Observer>::gatherLight(const ShadedPoint& at, uint32_t dept
     for (uint32_t n = range.first; n < range.last && see.keepGoing(); ++n) {             // 015
         // step 1: draw a random sample in the half-disk
         const auto [theta, pdfAngle] = drawHalfDisk(settings, at, rng, n, range.N);  // 017
-        if (theta <= 0.0 || theta >= kPi) continue;  // the part of a lobe that the wall cuts off
-        const double cosTheta = std::cos(theta);     // 018
-        const double sinTheta = std::sin(theta);     // 019
+        if (theta <= 0.0 || theta >= kPi) continue;    // the part of a lobe that the wall cuts off
+        const double cosTheta = halfCircleCos(theta);  // 018
+        const double sinTheta = halfCircleSin(theta);  // 019
         see.sample(n, theta, pdfAngle);
         // step 2: rotate the sample direction
         const Vec2 direction = rotMat.toWorld(cosTheta, sinTheta);  // 021

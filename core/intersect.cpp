@@ -41,7 +41,8 @@ SegmentIndex::SegmentIndex(const Scene& scene, IndexMethod method, const Kernels
     for (std::size_t i = 0; i < scene.segments.size(); ++i) {
         check(scene, i);
         const Segment& s = scene.segments[i];
-        edges_.push_back({frontNormal(s), glm::length(s.b - s.a), shiftOf(s)});
+        const double length = glm::length(s.b - s.a), shift = shiftOf(s);
+        edges_.push_back({frontNormal(s), length, shift, std::min(0.5, kEndShifts * shift / length)});
         hasGlass_ = hasGlass_ || std::holds_alternative<Dielectric>(scene.materials[s.material]);
         if (isEmitter(s)) emitters_.push_back(static_cast<std::uint32_t>(i));
     }
@@ -109,8 +110,7 @@ void SegmentIndex::occluded(std::span<const Ray> rays, std::span<const double> t
 
 Vec2 SegmentIndex::pointOn(std::uint32_t segment, double u) const {
     const Segment& s = scene_->segments[segment];
-    const Edge& edge = edges_[segment];
-    const double margin = std::min(0.5, kEndShifts * edge.originShift / edge.length);
+    const double margin = edges_[segment].margin;
     return s.a + std::clamp(u, margin, 1.0 - margin) * (s.b - s.a);
 }
 

@@ -70,6 +70,7 @@ class SegmentIndex {
         Vec2 normal;         // of the front side
         double length;       // m
         double originShift;  // m
+        double margin;       // of u at both ends, see pointOn
     };
 
     void build();

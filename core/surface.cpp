@@ -1,5 +1,6 @@
 #include "surface.h"
 
+#include "half_circle.h"
 #include "overload.h"
 
 namespace halfdisk {
@@ -44,11 +45,11 @@ double pdfHalfDiskOf(const SurfacePoint& at) {
 }
 
 std::optional<Scattered> sampleHalfDiskOf(const SurfacePoint& at, Carried carried, double u) {
-    const double along = std::cos(kPi * u), up = std::sin(kPi * u);
-    Scattered way{frameFromNormal(at.N).toWorld(along, up), pdfHalfDiskOf(at), Rgb(0.0)};
+    const double cosTheta = halfCircleCos(kPi * u), sinTheta = halfCircleSin(kPi * u);
+    Scattered way{frameFromNormal(at.N).toWorld(cosTheta, sinTheta), pdfHalfDiskOf(at), Rgb(0.0)};
     const Rgb brdf = carried == Carried::radiance ? evalSurface(at, way.direction, at.from)
                                                   : evalSurface(at, at.from, way.direction);
-    way.weight = brdf * (up / way.pdfAngle);
+    way.weight = brdf * (sinTheta / way.pdfAngle);
     return way;
 }
 

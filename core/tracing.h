@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "half_circle.h"
 #include "light.h"
 #include "lobe.h"
 #include "overload.h"

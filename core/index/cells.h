@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/index/descent.h"
+#include "core/index/pick.h"
 
 namespace halfdisk {
 namespace {
@@ -22,39 +23,60 @@ inline const std::uint32_t* startCell(const IndexView& index, const FloatRay& ra
     return index.cellStarts + static_cast<std::ptrdiff_t>(y) * grid.columns + x;
 }
 
-/// Calls visit(block) for the blocks of all cells that the ray enters before visit.T, until it returns false.
+/// A ray's way from cell to cell.
 /// Amanatides & Woo 1987, "A fast voxel traversal algorithm for ray tracing"; but each place is reckoned anew
 /// from the cell's number, so that roundings do not add up.
+struct CellWalk {
+    BoxRay ray;
+    std::int32_t x = 0, y = 0;  // the cell
+    std::int32_t stepX, stepY;  // -1 or 1
+
+    explicit CellWalk(const FloatRay& single)
+        : ray(single), stepX(ray.inverseX >= 0.0f ? 1 : -1), stepY(ray.inverseY >= 0.0f ? 1 : -1) {}
+
+    /// To the first cell. False if the ray passes by.
+    bool enter(const WallGrid& grid, const FloatRay& single) {
+        const bool forwardX = stepX > 0, forwardY = stepY > 0;
+        const float right = grid.left + static_cast<float>(grid.columns) * grid.side;
+        const float top = grid.bottom + static_cast<float>(grid.rows) * grid.side;
+        const float enterX = ((forwardX ? grid.left : right) - ray.ox) * ray.inverseX;
+        const float enterY = ((forwardY ? grid.bottom : top) - ray.oy) * ray.inverseY;
+        const float leaveX = ((forwardX ? right : grid.left) - ray.ox) * ray.inverseX;
+        const float leaveY = ((forwardY ? top : grid.bottom) - ray.oy) * ray.inverseY;
+        float from = enterX > enterY ? enterX : enterY;
+        from = from > 0.0f ? from : 0.0f;
+        x = cellAt(ray.ox + from * single.dx - grid.left, grid.perSide, grid.columns);
+        y = cellAt(ray.oy + from * single.dy - grid.bottom, grid.perSide, grid.rows);
+        // No wall comes as near to the grid's border as roundings here.
+        return from <= (leaveX < leaveY ? leaveX : leaveY);
+    }
+
+    /// To the next cell. False if the ray leaves this one behind T, or the grid.
+    bool step(const WallGrid& grid, float T) {
+        const float exitX =
+            (grid.left + static_cast<float>(x + (stepX > 0 ? 1 : 0)) * grid.side - ray.ox) * ray.inverseX;
+        const float exitY =
+            (grid.bottom + static_cast<float>(y + (stepY > 0 ? 1 : 0)) * grid.side - ray.oy) * ray.inverseY;
+        const bool sideways = exitX < exitY;
+        x += pick(sideways, stepX, 0);
+        y += pick(sideways, 0, stepY);
+        const int isInside = (static_cast<std::uint32_t>(x) < static_cast<std::uint32_t>(grid.columns)) &
+                             (static_cast<std::uint32_t>(y) < static_cast<std::uint32_t>(grid.rows));
+        return (isInside & (pick(sideways, exitX, exitY) <= T)) != 0;
+    }
+};
+
+/// Calls visit(block) for the blocks of all cells that the ray enters before visit.T, until it returns false.
 template <class Visit>
 inline void crossCells(const IndexView& index, const FloatRay& single, Visit& visit) {
-    const WallGrid& grid = index.grid;
-    const BoxRay ray(single);
-    const bool forwardX = ray.inverseX >= 0.0f, forwardY = ray.inverseY >= 0.0f;
-    const float right = grid.left + static_cast<float>(grid.columns) * grid.side;
-    const float top = grid.bottom + static_cast<float>(grid.rows) * grid.side;
-    const float enterX = ((forwardX ? grid.left : right) - ray.ox) * ray.inverseX;
-    const float enterY = ((forwardY ? grid.bottom : top) - ray.oy) * ray.inverseY;
-    const float leaveX = ((forwardX ? right : grid.left) - ray.ox) * ray.inverseX;
-    const float leaveY = ((forwardY ? top : grid.bottom) - ray.oy) * ray.inverseY;
-    float enter = enterX > enterY ? enterX : enterY;
-    enter = enter > 0.0f ? enter : 0.0f;
-    // No wall comes as near to the grid's border as roundings here.
-    if (!(enter <= (leaveX < leaveY ? leaveX : leaveY)) || enter > visit.T) return;
-    std::int32_t x = cellAt(ray.ox + enter * single.dx - grid.left, grid.perSide, grid.columns);
-    std::int32_t y = cellAt(ray.oy + enter * single.dy - grid.bottom, grid.perSide, grid.rows);
-    while (x >= 0 && y >= 0 && x < grid.columns && y < grid.rows) {
-        const std::uint32_t* start = index.cellStarts + static_cast<std::ptrdiff_t>(y) * grid.columns + x;
-        for (std::uint32_t block = start[0]; block < start[1]; ++block)
+    CellWalk walk(single);
+    if (!walk.enter(index.grid, single)) return;
+    do {
+        const std::uint32_t* starts =
+            index.cellStarts + static_cast<std::ptrdiff_t>(walk.y) * index.grid.columns + walk.x;
+        for (std::uint32_t block = starts[0]; block < starts[1]; ++block)
             if (!visit(index.blocks[block])) return;
-        const float exitX =
-            (grid.left + static_cast<float>(x + (forwardX ? 1 : 0)) * grid.side - ray.ox) * ray.inverseX;
-        const float exitY =
-            (grid.bottom + static_cast<float>(y + (forwardY ? 1 : 0)) * grid.side - ray.oy) * ray.inverseY;
-        const bool sideways = exitX < exitY;
-        if ((sideways ? exitX : exitY) > visit.T) return;
-        x += sideways ? (forwardX ? 1 : -1) : 0;
-        y += sideways ? 0 : (forwardY ? 1 : -1);
-    }
+    } while (walk.step(index.grid, visit.T));
 }
 
 /// The same for whatever the index has.

@@ -3,6 +3,7 @@
 
 #include "core/index/cells.h"
 #include "core/index/crossings.h"
+#include "core/index/pick.h"
 
 namespace halfdisk {
 namespace {
@@ -36,26 +37,23 @@ struct FirstWall {
                 T = until[lane] < T ? until[lane] : T;
             }
             // The walls of this block that may be the first, less the one that surely comes before T.
-            const Floats from = range.from;
-            unsigned others = bits(possible & notGreater(from, all(T)));
+            unsigned others = bits(possible & notGreater(range.from, all(T)));
             if (best >= 0) {
                 others &= ~(1u << best);
                 contested = earliest < contested ? earliest : contested;
                 segment = block.segment[first + best];
-                earliest = from[best];
+                earliest = range.from[best];
             }
-            if (others != 0) contested = contest(from, others);
+            if (others != 0) contest(range.from, others);
         }
         return true;
     }
 
-    float contest(Floats from, unsigned others) const {
-        float least = contested;
+    void contest(Floats from, unsigned others) {
         for (; others != 0; others &= others - 1) {
             const float begin = from[__builtin_ctz(others)];
-            least = begin > least ? least : begin;  // begin, if it is NaN
+            contested = begin > contested ? contested : begin;  // begin, if it is NaN
         }
-        return least;
     }
 };
 
@@ -130,26 +128,17 @@ inline Hit closestOfAll(const IndexView& index, const Ray& ray) {
     return crowd.chosen;
 }
 
-/// `value`, or 0 if `missed` is 1. Without a branch.
-inline double unless(unsigned missed, double value) {
-    std::int64_t kept;
-    __builtin_memcpy(&kept, &value, sizeof kept);
-    kept &= static_cast<std::int64_t>(missed) - 1;
-    __builtin_memcpy(&value, &kept, sizeof kept);
-    return value;
-}
-
 /// Where a ray meets the wall that single precision is sure of; a miss for kNoSegment. Without a branch,
 /// which would be guessed wrong wherever rays often leave the scene. Writes in place: a copy of what was just
 /// written in parts has to wait for it.
 [[gnu::always_inline]] inline void meet(const IndexView& index, const Ray& ray, std::uint32_t segment,
                                         Hit& hit) {
-    const unsigned missed = segment == kNoSegment ? 1 : 0;
-    const Crossing crossing = crossPlainly(index.segments[segment & (missed - 1)], ray);
+    const bool met = segment != kNoSegment;
+    const Crossing crossing = crossPlainly(index.segments[pick(met, segment, 0u)], ray);
     hit.segment = segment;
-    hit.t = unless(missed, crossing.t) + unless(1 - missed, std::numeric_limits<double>::infinity());
-    hit.u = unless(missed, crossing.u);
-    hit.front = (static_cast<unsigned>(crossing.front) & ~missed) != 0;
+    hit.t = pick(met, crossing.t, std::numeric_limits<double>::infinity());
+    hit.u = pick(met, crossing.u, 0.0);
+    hit.front = (met & crossing.front) != 0;
 }
 
 inline Hit closestHit(const IndexView& index, const Ray& ray) {

@@ -94,16 +94,10 @@ inline Hit closestOfFew(const IndexView& index, const Ray& ray) {
         near |= laneBits(lessEqual((t[i] - all(first)) * slope[i], tie[i])) << (i * kDoubles);
     if (unclear != 0 || (near & (near - 1)) != 0) return closestOfAll(index, ray);
     // Without a branch: it would be guessed wrong wherever rays often leave the scene.
-    const unsigned missed = near == 0 ? 1 : 0;
-    const unsigned wall = static_cast<unsigned>(__builtin_ctz(near | missed));
+    const bool met = near != 0;
+    const auto wall = static_cast<std::uint32_t>(__builtin_ctz(near | (met ? 0u : 1u)));
     const double a = sideA[wall], b = sideB[wall];
-    const double quotient = a / (a - b);
-    std::int64_t u;
-    __builtin_memcpy(&u, &quotient, sizeof u);
-    u &= static_cast<std::int64_t>(missed) - 1;
-    Hit hit{wall | -missed, first, 0.0, (static_cast<unsigned>(b > a) & ~missed) != 0};
-    __builtin_memcpy(&hit.u, &u, sizeof u);
-    return hit;
+    return {pick(met, wall, kNoSegment), first, pick(met, a / (a - b), 0.0), (met & (b > a)) != 0};
 }
 
 template <int kParts>

@@ -181,42 +181,27 @@ inline Floats inverse(Floats values) {
     return rough * (2.0f - values * rough);
 }
 
-/// The least of all lanes.
-inline float least(Floats values) {
+/// What `join` makes of all lanes.
+template <class Join>
+[[gnu::always_inline]] inline float joined(Floats values, const Join& join) {
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
-    values = min(values, __builtin_shufflevector(values, values, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4,
-                                                 5, 6, 7));
-    values = min(values, __builtin_shufflevector(values, values, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9,
-                                                 10, 11));
-    values = min(values, __builtin_shufflevector(values, values, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15,
-                                                 12, 13));
-    values = min(values, __builtin_shufflevector(values, values, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12,
-                                                 15, 14));
-    return values[0];
+    values = join(values, __builtin_shufflevector(values, values, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4,
+                                                  5, 6, 7));
+    values = join(values, __builtin_shufflevector(values, values, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8,
+                                                  9, 10, 11));
+    values = join(values, __builtin_shufflevector(values, values, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14,
+                                                  15, 12, 13));
+    values = join(values, __builtin_shufflevector(values, values, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13,
+                                                  12, 15, 14));
 #else
-    float found = values[0];
-    for (int i = 1; i < kLanes; ++i) found = values[i] < found ? values[i] : found;
-    return found;
+    for (int i = 1; i < kLanes; ++i) values = join(values, all(values[i]));
 #endif
+    return values[0];
 }
 
 /// The largest of all lanes.
 inline float most(Floats values) {
-#if defined(__AVX512F__) && defined(__AVX512DQ__)
-    values = max(values, __builtin_shufflevector(values, values, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4,
-                                                 5, 6, 7));
-    values = max(values, __builtin_shufflevector(values, values, 4, 5, 6, 7, 0, 1, 2, 3, 12, 13, 14, 15, 8, 9,
-                                                 10, 11));
-    values = max(values, __builtin_shufflevector(values, values, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15,
-                                                 12, 13));
-    values = max(values, __builtin_shufflevector(values, values, 1, 0, 3, 2, 5, 4, 7, 6, 9, 8, 11, 10, 13, 12,
-                                                 15, 14));
-    return values[0];
-#else
-    float found = values[0];
-    for (int i = 1; i < kLanes; ++i) found = values[i] > found ? values[i] : found;
-    return found;
-#endif
+    return joined(values, [](Floats a, Floats b) { return max(a, b); });
 }
 
 }  // namespace

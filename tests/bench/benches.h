@@ -21,6 +21,9 @@ void benchEstimators(Report& report, Effort effort);
 /// Wall time of castRay, paths, light and photons on two threads and on all, against one.
 void benchThreads(Report& report, Effort effort);
 
+/// Time from the call until work ends that is called off, for every estimator.
+void benchCancel(Report& report, Effort effort);
+
 /// Time to draw a flight of light into a field, for several sizes and ways.
 void benchSplat(Report& report, Effort effort);
 

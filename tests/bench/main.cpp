@@ -16,9 +16,9 @@ struct Part {
 };
 
 constexpr std::array kParts{
-    Part{"rays", benchIndex},      Part{"build", benchBuild},       Part{"estimators", benchEstimators},
-    Part{"threads", benchThreads}, Part{"overhead", benchOverhead}, Part{"observer", benchObserver},
-    Part{"splat", benchSplat},     Part{"frame", benchFrame},
+    Part{"rays", benchIndex},        Part{"build", benchBuild},   Part{"estimators", benchEstimators},
+    Part{"threads", benchThreads},   Part{"cancel", benchCancel}, Part{"overhead", benchOverhead},
+    Part{"observer", benchObserver}, Part{"splat", benchSplat},   Part{"frame", benchFrame},
 };
 
 int refuse(const std::string& why) {

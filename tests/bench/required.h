@@ -37,6 +37,7 @@ inline constexpr double kBytesPerSegment = 32;  ///< at most
 inline constexpr double kRebuildSeconds = 0.005;
 inline constexpr double kSpeedupOnTwoCores = 1.9;
 inline constexpr double kOverheadNanoseconds = 60.0;  ///< per ray of castRay beyond the index, at most
+inline constexpr double kCancelMilliseconds = 20.0;
 inline constexpr double kFrameMilliseconds = 8.0;
 inline constexpr double kObserverRatio = 1.02;
 

@@ -31,10 +31,17 @@ std::uint32_t Stage::wall(const std::string& wallName) const {
     return static_cast<std::uint32_t>(found - scene.segmentNames.begin());
 }
 
-Stage readStage(const std::string& name) {
+Stage readStage(const std::string& name, std::uint32_t finer) {
     Stage stage;
     stage.name = name;
-    stage.scene = expandScene(loadScene(std::string(HALFDISK_TEST_SCENES) + "/" + name + ".toml"));
+    SceneDescription description = loadScene(std::string(HALFDISK_TEST_SCENES) + "/" + name + ".toml");
+    for (Shape& shape : description.shapes)
+        std::visit(
+            [&](auto& geometry) {
+                if constexpr (requires { geometry.segments; }) geometry.segments *= finer;
+            },
+            shape.geometry);
+    stage.scene = expandScene(description);
     return stage;
 }
 

@@ -21,8 +21,9 @@ struct Stage {
     std::uint32_t wall(const std::string& wallName) const;
 };
 
-/// Reads tests/scenes/NAME.toml. Throws for anything that is missing.
-Stage readStage(const std::string& name);
+/// Reads tests/scenes/NAME.toml, with `finer` times as many walls in all that is round. Throws for anything
+/// that is missing.
+Stage readStage(const std::string& name, std::uint32_t finer = 1);
 
 /// One of each kind in a stage: a probe and a profile on its wall "floor", its eye, a field over all of it.
 std::vector<Sensor> sensorsOf(const Stage& stage);

@@ -59,8 +59,8 @@ bool takesNoPart(const EstimatorInfo& info) {
     return info.id == "closed-form";
 }
 
-Stage stageOf(const std::string& name) {
-    Stage stage = readStage(name);
+Stage stageOf(const std::string& name, std::uint32_t finer = 1) {
+    Stage stage = readStage(name, finer);
     stage.index = std::make_unique<SegmentIndex>(stage.scene);
     return stage;
 }
@@ -228,6 +228,9 @@ TEST_CASE(
 
 TEST_CASE("long: agreement with ten million samples a stage and sensor" * doctest::skip()) {
     for (const std::string name : kStages) SUBCASE(name.c_str()) {
-            checkAgreement(stageOf(name), 10'000'000);
+            // Backwards and forwards, light bends a little differently at the facets of round glass: at a
+            // place below 48 of them by 2.7 % (path 0.0847, photons 0.0824; finer ones 0.0837), which so many
+            // samples tell.
+            checkAgreement(stageOf(name, 16), 10'000'000);
         }
 }

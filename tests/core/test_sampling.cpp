@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "core/half_circle.h"
 #include "core/sampling.h"
 #include "support.h"
 
@@ -141,4 +142,27 @@ TEST_CASE("sampling: names and values of the closed sets agree") {
     CHECK(set == DefectSet::all());
     for (const auto& [value, name, meaning] : kDefects) set.set(value, false);
     CHECK(set == DefectSet{});
+}
+
+TEST_CASE("sampling: the direction at an angle is right to 4e-16 of its size, next to zero too") {
+    const auto worst = [](double theta) {
+        const long double cosine = std::cos(static_cast<long double>(theta)),
+                          sine = std::sin(static_cast<long double>(theta));
+        return std::max(std::abs((static_cast<long double>(halfCircleCos(theta)) - cosine) / cosine),
+                        std::abs((static_cast<long double>(halfCircleSin(theta)) - sine) / sine));
+    };
+    Random random(5);
+    for (int i = 0; i < 100'000; ++i) {
+        const double theta = random.in(0.0, kPi), small = std::pow(10.0, random.in(-15.0, -0.5));
+        CAPTURE(theta);
+        CAPTURE(small);
+        REQUIRE(worst(theta) < 4e-16L);
+        REQUIRE(worst(small) < 4e-16L);
+        REQUIRE(worst(kPi - small) < 4e-16L);
+        REQUIRE(worst(0.5 * kPi + small) < 4e-16L);
+        REQUIRE(worst(0.5 * kPi - small) < 4e-16L);
+    }
+    CHECK(worst(0.5 * kPi) < 4e-16L);
+    CHECK(worst(kPi) < 4e-16L);
+    CHECK(halfCircleSin(0.0) == 0.0);
 }

@@ -22,6 +22,7 @@ constexpr const char* kFooter = R"(Examples:
   halfdisk probe room.toml --at floor:0.5        how much light arrives there
   halfdisk estimators room.toml                  which ways to carry light there are
   halfdisk eye room.toml -o room.png             what the scene's eye sees
+  halfdisk verify                                whether the lessons' claims are true
 
 Exit codes: 0 success, 1 failure, 2 bad input, 130 stopped by Ctrl-C (what was done is written).)";
 
@@ -70,6 +71,7 @@ int parseAndRun(int argc, const char* const* argv) {
     addRenderCommands(app, chosen);
     addEstimatorsCommand(app, chosen);
     addSceneCommand(app, chosen);
+    addVerifyCommand(app, chosen, lessonsFolder);
 
     refuseEmptyValues(argc, argv);
     try {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/settings.h"
+#include "lessons/claim.h"
 #include "lessons/prose.h"
 #include "lessons/scene_description.h"
 #include "lessons/wall_point.h"
@@ -104,6 +105,7 @@ struct Step {
     std::optional<Control> unlock;
     StepValues values;
     std::optional<Question> question;
+    std::vector<Claim> claims;
     bool operator==(const Step&) const = default;
 };
 

@@ -2,10 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
+#include "lessons/claim_reader.h"
 #include "lessons/lesson_file.h"
 #include "lessons/scene_file.h"
+#include "lessons/step_values_reader.h"
 #include "lessons/table_reader.h"
 #include "lessons/text_file.h"
 #include "lessons/value_reader.h"
@@ -18,11 +19,8 @@ constexpr TextRule kMeaningRule{1000, true, false};
 constexpr TextRule kProseRule{20'000, true, false};
 constexpr std::size_t kMostTerms = 200;
 constexpr std::size_t kMostSteps = 200;
+constexpr std::size_t kMostClaims = 100;  // of a step
 constexpr std::uint64_t kMostEvents = 1'000'000'000;
-
-WholeRule ruleOf(const NumberInfo& info, std::uint64_t most) {
-    return {info.least, std::min(info.most, most)};
-}
 
 /// Offset of a place in a text.
 std::size_t offsetOf(std::string_view text, TextPosition where) {
@@ -100,54 +98,10 @@ class LessonReader {
     /// The keys of [defaults] and of [step.set]; those that are there replace what `values` has.
     void readValues(std::string what, std::string_view key, const TomlValue& value, StepValues& values) {
         TableReader table(file_, readTable(file_, key, value), value.where, std::move(what));
-        const auto whole = [&](const NumberInfo& info, std::uint64_t most, auto& field) {
-            if (const TomlValue* number = table.optional(info.name))
-                field = static_cast<std::remove_reference_t<decltype(field)>>(
-                    readWhole(file_, info.name, *number, ruleOf(info, most)));
-        };
-        whole(kSamplesInfo, kMostLessonSamples, values.settings.samples);
-        whole(kMaxDepthInfo, kMostLessonDepth, values.settings.maxDepth);
-        whole(kSeedInfo, std::numeric_limits<std::int64_t>::max(), values.settings.seed);
-        if (const TomlValue* sampler = table.optional("sampler"))
-            values.settings.sampler = readNamed(file_, "sampler", *sampler, kSamplers);
-        if (const TomlValue* emitters = table.optional("emitters"))
-            values.settings.emitters = readNamed(file_, "emitters", *emitters, kEmitters);
-        if (const TomlValue* at = table.optional("at")) values.at = readWallPoint(*at);
-        if (const TomlValue* defects = table.optional("asPrinted"))
-            values.settings.defects = readDefects(*defects);
+        readSettings(table, scene_, {kMostLessonSamples, kMostLessonDepth}, values.settings, values.at);
         if (const TomlValue* event = table.optional("event"))
             values.event = static_cast<std::uint32_t>(readWhole(file_, "event", *event, {0, kMostEvents}));
         table.finish();
-    }
-
-    WallPoint readWallPoint(const TomlValue& value) const {
-        const std::string text = readText(file_, "at", value, kHeadingRule);
-        try {
-            return parseWallPoint(text, scene_);
-        } catch (const InputError& error) {
-            failAt(file_, value.where, fmt::format("\"at\": {}", error.text));
-        }
-    }
-
-    DefectSet readDefects(const TomlValue& value) const {
-        if (const auto* all = std::get_if<bool>(&value.data)) return *all ? DefectSet::all() : DefectSet{};
-        DefectSet set;
-        readSet("asPrinted", value, "true, false or an array of names", kDefects, set);
-        return set;
-    }
-
-    /// An array of names of a closed set, each at most once.
-    template <class Set, class Enum, std::size_t Count>
-    void readSet(std::string_view key, const TomlValue& value, std::string_view expected,
-                 const std::array<Named<Enum>, Count>& names, Set& set) const {
-        for (const TomlValue& element : readArray(file_, key, value, expected)) {
-            const Enum member = readNamed(file_, key, element, names);
-            if (set.has(member))
-                failAt(
-                    file_, element.where,
-                    fmt::format("\"{}\" lists \"{}\" twice, expected it once", key, nameOf(names, member)));
-            set.set(member, true);
-        }
     }
 
     void readTerm(const TomlValue& value) {
@@ -173,17 +127,21 @@ class LessonReader {
         const TomlValue* unlock = table.optional("unlock");
         const TomlValue* set = table.optional("set");
         const TomlValue* question = table.optional("question");
+        const TomlValue* claims = table.optional("claim");
         table.finish();
 
         Step step;
         step.title = readText(file_, "title", *title, kHeadingRule);
         step.prose = readProse("prose", *prose);
         if (listing != nullptr) step.listing = readListing(*listing);
-        if (show != nullptr) readSet("show", *show, "an array of views", kViews, step.show);
+        if (show != nullptr) readSet(file_, "show", *show, "an array of views", kViews, step.show);
         if (unlock != nullptr) step.unlock = readUnlock(*unlock);
         step.values = defaults_;
         if (set != nullptr) readValues("[step.set]", "set", *set, step.values);
         if (question != nullptr) step.question = readQuestion(*question);
+        if (claims != nullptr)
+            for (const TomlValue& claim : listOfTables("claim", *claims, kMostClaims))
+                step.claims.push_back(readClaim(file_, claim, scene_, step.values));
         lesson_.steps.push_back(std::move(step));
     }
 

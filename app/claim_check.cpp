@@ -1,0 +1,172 @@
+#include "app/claim_check.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "app/cli_probe_passes.h"
+#include "app/estimator_arguments.h"
+
+namespace halfdisk {
+namespace {
+
+double grey(const Rgb& colour) {
+    return (colour.x + colour.y + colour.z) / 3.0;
+}
+
+/// What a trial gives, whichever estimator made it.
+struct Outcome {
+    Rgb irradiance{0.0};
+    std::optional<Rgb> standardError{}, radiance{}, direct{}, indirect{};
+    double samples = 0.0;  ///< in all
+    double rays = 0.0;     ///< of one repeat
+    std::uint64_t nonFinite = 0;
+};
+
+ProbePlace placeOf(const SegmentIndex& index, const Trial& trial) {
+    ProbePlace place;
+    place.shaded = shadedPointOn(index, trial.at.segment, trial.at.t);
+    place.at = place.shaded.P;
+    const Segment& wall = index.scene().segments[trial.at.segment];
+    place.radiance = std::holds_alternative<Diffuse>(index.material(trial.at.segment)) && !isSmooth(wall);
+    return place;
+}
+
+Outcome byCastRay(const SegmentIndex& index, const ProbeQuestion& question, const ProbePlace& place) {
+    const ProbeAnswer answer = probe(index, question, place);
+    const auto repeats = static_cast<double>(question.repeats);
+    Outcome out{.irradiance = answer.irradiance.mean,
+                .standardError = answer.irradiance.standardError,
+                .direct = answer.estimate.direct,
+                .indirect = answer.estimate.indirect,
+                .samples = repeats * question.settings.samples,
+                .rays = static_cast<double>(answer.estimate.rays) / repeats,
+                .nonFinite = answer.estimate.nonFinite()};
+    if (answer.radiance) out.radiance = answer.radiance->mean;
+    return out;
+}
+
+Outcome byPasses(const SegmentIndex& index, const ProbeQuestion& question, const ProbePlace& place) {
+    const PassesAnswer answer = probeByPasses(index, question, place);
+    const Film& film = answer.measurement.film;
+    if (answer.measurement.interrupted) throw std::runtime_error("interrupted");
+    const auto passes = static_cast<double>(film.passes);
+    Outcome out{.irradiance = answer.light.mean,
+                .standardError = answer.light.standardError,
+                .samples = passes,
+                .rays = static_cast<double>(film.counts.rays) / passes,
+                .nonFinite = film.counts.nonFinite};
+    if (answer.radiance) out.radiance = answer.radiance->mean;
+    return out;
+}
+
+Outcome outcomeOf(const SegmentIndex& index, const Trial& trial, unsigned threads) {
+    ProbeQuestion question;
+    question.estimator = &estimatorArgument(trial.estimator);
+    question.settings = trial.settings;
+    question.repeats = trial.repeats;
+    question.threads = threads;
+    const ProbePlace place = placeOf(index, trial);
+    if (question.isCastRay()) {
+        if (!trial.params.empty()) throw InputError("\"params\" are not for cast-ray");
+        return byCastRay(index, question, place);
+    }
+    question.params = paramArguments(*question.estimator, trial.params);
+    return byPasses(index, question, place);
+}
+
+Rgb exactOf(const SegmentIndex& index, const Trial& trial) {
+    const ShadedPoint at = shadedPointOn(index, trial.at.segment, trial.at.t);
+    Settings settings = trial.settings;
+    settings.defects = {};  // which are what the exact value is to tell
+    if (const auto exact = exactIrradiance(index.scene(), settings, at)) return *exact;
+    throw InputError("the exact E is not known here: matt scenes of up to 60 walls have one, up to depth 1");
+}
+
+template <class Value>
+const Value& given(const std::optional<Value>& value, std::string_view what) {
+    if (!value) throw InputError(std::string(what));
+    return *value;
+}
+
+double quantityOf(const SegmentIndex& index, Quantity quantity, const Trial& trial, unsigned threads) {
+    if (quantity == Quantity::exact) return grey(exactOf(index, trial));
+    const Outcome out = outcomeOf(index, trial, threads);
+    const auto error = [&] {
+        return grey(given(out.standardError,
+                          "there is no standard error of one repeat, expected \"repeats\" of 2 or more"));
+    };
+    constexpr std::string_view kCastRayOnly = "only cast-ray tells direct from indirect light";
+    switch (quantity) {
+        case Quantity::irradiance:
+            return grey(out.irradiance);
+        case Quantity::direct:
+            return grey(given(out.direct, kCastRayOnly));
+        case Quantity::indirect:
+            return grey(given(out.indirect, kCastRayOnly));
+        case Quantity::radiance:
+            return grey(given(out.radiance, "this wall is not matt, and has no one radiance"));
+        case Quantity::error: {
+            const double exact = grey(exactOf(index, trial));
+            return std::abs(grey(out.irradiance) - exact) / std::abs(exact);
+        }
+        case Quantity::variance:
+            return error() * error() * out.samples;
+        case Quantity::standardError:
+            return error();
+        case Quantity::rays:
+            return out.rays;
+        case Quantity::nonFinite:
+            return static_cast<double>(out.nonFinite);
+        case Quantity::exact:
+            break;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+}
+
+bool holds(const Claim& claim, double value) {
+    switch (claim.relation) {
+        case Relation::atLeast:
+            return value >= claim.number;
+        case Relation::atMost:
+            return value <= claim.number;
+        case Relation::equals:
+            return std::abs(value - claim.number) <= claim.tolerance;
+    }
+    return false;
+}
+
+}  // namespace
+
+ClaimResult checkClaim(const std::string& file, const SegmentIndex& index, const Claim& claim,
+                       unsigned threads) {
+    const auto start = std::chrono::steady_clock::now();
+    ClaimResult result;
+    try {
+        result.of = quantityOf(index, claim.quantity, claim.of, threads);
+        if (claim.over) result.over = quantityOf(index, claim.quantity, *claim.over, threads);
+    } catch (const InputError& error) {
+        throw InputError(file, claim.where, fmt::format("the claim cannot be measured: {}", error.text));
+    }
+    result.value = result.over ? result.of / *result.over : result.of;
+    result.holds = holds(claim, result.value);
+    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+std::string expectationOf(const Claim& claim) {
+    switch (claim.relation) {
+        case Relation::atLeast:
+            return fmt::format("at least {}", claim.number);
+        case Relation::atMost:
+            return fmt::format("at most {}", claim.number);
+        case Relation::equals:
+            return claim.tolerance > 0.0 ? fmt::format("{} +- {}", claim.number, claim.tolerance)
+                                         : fmt::format("{}", claim.number);
+    }
+    return {};
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,128 @@
+// halfdisk verify: is what the lessons claim true?
+#include <fmt/format.h>
+
+#include <memory>
+#include <vector>
+
+#include "app/claim_check.h"
+#include "app/cli_actions.h"
+#include "app/cli_arguments.h"
+#include "app/cli_commands.h"
+#include "app/cli_output.h"
+#include "lessons/lesson_file.h"
+#include "lessons/lesson_list.h"
+#include "lessons/scene_file.h"
+
+namespace halfdisk {
+namespace {
+
+struct VerifyTexts {
+    std::vector<std::string> lessons;  ///< slugs, numbers or files; none: all
+    std::optional<std::string> threads;
+    bool json = false;
+};
+
+struct Tally {
+    std::size_t held = 0, failed = 0;
+    Json claims = Json::array();
+};
+
+/// The lesson files that are meant, each once.
+std::vector<std::filesystem::path> filesOf(const VerifyTexts& texts, const std::filesystem::path& folder) {
+    std::vector<std::filesystem::path> files;
+    if (texts.lessons.empty()) {
+        for (const LessonEntry& entry : listLessons(folder)) files.push_back(entry.path);
+        return files;
+    }
+    for (const std::string& name : texts.lessons) {
+        const bool isFile = std::filesystem::path(name).extension() == ".toml";
+        files.push_back(isFile ? std::filesystem::path(name)
+                               : findLesson(listLessons(folder), parseLessonRef(name)).path);
+    }
+    return files;
+}
+
+Json claimJson(const Lesson& lesson, std::size_t step, const Claim& claim, const ClaimResult& result) {
+    Json object;
+    object["lesson"] = lesson.slug;
+    object["step"] = step + 1;
+    object["says"] = claim.says;
+    object["measure"] = std::string(nameOf(kQuantities, claim.quantity));
+    object["measured"] = jsonOf(result.value);
+    object["of"] = jsonOf(result.of);
+    object["over"] = result.over ? jsonOf(*result.over) : Json(nullptr);
+    object["relation"] = std::string(nameOf(kRelations, claim.relation));
+    object["number"] = claim.number;
+    object["tolerance"] = claim.tolerance;
+    object["holds"] = result.holds;
+    object["seconds"] = result.seconds;
+    object["file"] = lesson.file.string();
+    object["line"] = claim.where.line;
+    return object;
+}
+
+std::string measuredText(const Claim& claim, const ClaimResult& result) {
+    const std::string_view quantity = nameOf(kQuantities, claim.quantity);
+    if (!result.over) return fmt::format("{} is {:.6g}", quantity, result.value);
+    return fmt::format("{} is {:.6g} / {:.6g} = {:.6g}", quantity, result.of, *result.over, result.value);
+}
+
+void verifyLesson(const Lesson& lesson, unsigned threads, bool asJson, Tally& tally) {
+    const Scene scene = expandScene(lesson.scene);
+    const SegmentIndex index(scene);
+    for (std::size_t step = 0; step < lesson.steps.size(); ++step)
+        for (const Claim& claim : lesson.steps[step].claims) {
+            const ClaimResult result = checkClaim(lesson.file.string(), index, claim, threads);
+            ++(result.holds ? tally.held : tally.failed);
+            tally.claims.push_back(claimJson(lesson, step, claim, result));
+            const std::string measured = measuredText(claim, result), expected = expectationOf(claim);
+            if (!result.holds)
+                writeError(InputError(lesson.file.string(), claim.where,
+                                      fmt::format("not true: \"{}\": {}, expected {}", claim.says, measured,
+                                                  expected))
+                               .what(),
+                           true);
+            if (!asJson && result.holds)
+                writeOutput(fmt::format("true  {}:{}  {}\n      {}, claimed {}\n", lesson.slug, step + 1,
+                                        claim.says, measured, expected));
+        }
+}
+
+int runVerify(const VerifyTexts& texts, const std::filesystem::path& folder) {
+    const unsigned threads = threadsArgument(texts.threads);
+    Tally tally;
+    for (const std::filesystem::path& file : filesOf(texts, folder))
+        verifyLesson(loadLesson(file), threads, texts.json, tally);
+    if (texts.json) {
+        writeJson(Json{{"claims", tally.claims}, {"held", tally.held}, {"failed", tally.failed}});
+    } else {
+        writeOutput(fmt::format("{} claims, {} of them true\n", tally.held + tally.failed, tally.held));
+    }
+    return tally.failed == 0 ? kExitSuccess : kExitFailure;
+}
+
+}  // namespace
+
+void addVerifyCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder) {
+    const auto texts = std::make_shared<VerifyTexts>();
+    CLI::App* command =
+        app.add_subcommand("verify", "measure what the lessons claim, and tell whether it is true");
+    command->add_option("lessons", texts->lessons, "lessons by slug or number, or lesson files; none: all")
+        ->type_name("LESSON|FILE ...");
+    command->add_option("--threads", texts->threads, "threads; the answer does not depend on it")
+        ->type_name("T");
+    command->add_flag("--json", texts->json, "print one JSON object");
+    addLessonsFolder(*command, lessonsFolder);
+    command->footer(
+        "A claim stands in a lesson's file: [[step.claim]] with a sentence, what is measured, and a number. "
+        "Each that is "
+        "not true is told with file, line and what was measured; the exit code is then 1.\n\nExamples:\n"
+        "  halfdisk verify\n"
+        "  halfdisk verify caustic 4 --json\n"
+        "  halfdisk verify ~/my-course/01-light.toml");
+    command->callback([&chosen, texts, &lessonsFolder] {
+        chosen = [texts, &lessonsFolder] { return runVerify(*texts, lessonsFolder); };
+    });
+}
+
+}  // namespace halfdisk

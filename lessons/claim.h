@@ -1,0 +1,75 @@
+// What does a step's text promise that can be measured? `halfdisk verify` measures it, so that text and
+// program cannot part ways.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/settings.h"
+#include "lessons/toml_document.h"
+#include "lessons/wall_point.h"
+
+namespace halfdisk {
+
+/// What is measured at P. Of colours the mean of the three channels.
+enum class Quantity : std::uint8_t {
+    irradiance,
+    direct,
+    indirect,
+    radiance,
+    exact,
+    error,
+    variance,
+    standardError,
+    rays,
+    nonFinite
+};
+
+inline constexpr std::array<Named<Quantity>, 10> kQuantities{{
+    {Quantity::irradiance, "irradiance", "E at P, W/m"},
+    {Quantity::direct, "direct", "the part of E that was never scattered, W/m (cast-ray)"},
+    {Quantity::indirect, "indirect", "the part of E that was, W/m (cast-ray)"},
+    {Quantity::radiance, "radiance", "L of the wall, W/(m rad), where it is matt"},
+    {Quantity::exact, "exact", "the exact E, where it is known, W/m"},
+    {Quantity::error, "error", "how far E is off the exact one, as a share of it"},
+    {Quantity::variance, "variance", "of one sample's estimate of E, (W/m)^2: N times that of a mean of N"},
+    {Quantity::standardError, "standardError", "of E, over the repeats, W/m"},
+    {Quantity::rays, "rays", "how many were cast, in one repeat"},
+    {Quantity::nonFinite, "nonFinite", "how many values were infinite or not a number"},
+}};
+
+enum class Relation : std::uint8_t { atLeast, atMost, equals };
+
+inline constexpr std::array<Named<Relation>, 3> kRelations{{
+    {Relation::atLeast, "atLeast", "the measured value is no smaller"},
+    {Relation::atMost, "atMost", "the measured value is no larger"},
+    {Relation::equals, "equals", "the measured value is this one, within the tolerance"},
+}};
+
+/// A measurement.
+struct Trial {
+    Settings settings;
+    WallPoint at{0, 0.5};
+    std::string estimator = "cast-ray";
+    std::vector<std::string> params;  ///< NAME=VALUE, of estimators but cast-ray
+    std::uint64_t repeats = 16;       ///< of cast-ray; of others, `settings.samples` are independent
+    bool operator==(const Trial&) const = default;
+};
+
+struct Claim {
+    std::string says;  ///< the sentence that is to be true
+    Quantity quantity = Quantity::irradiance;
+    Trial of;
+    std::optional<Trial> over;  ///< what is measured is divided by the same of this one
+    Relation relation = Relation::equals;
+    double number = 0.0;
+    double tolerance = 0.0;  ///< of `equals`, on both sides
+    TextPosition where{};    ///< of the number, in the lesson file
+    bool operator==(const Claim&) const = default;
+};
+
+}  // namespace halfdisk

@@ -1,0 +1,14 @@
+// How does a [[step.claim]] become a Claim?
+#pragma once
+
+#include "lessons/claim.h"
+#include "lessons/lesson.h"
+#include "lessons/toml_document.h"
+
+namespace halfdisk {
+
+/// What the step's text says is measured as the step is set, but for what the claim itself sets. Throws
+/// InputError.
+Claim readClaim(const std::string& file, const TomlValue& value, const Scene& scene, const StepValues& step);
+
+}  // namespace halfdisk

@@ -28,6 +28,9 @@ void readTrial(const std::string& file, std::string_view key, const TomlValue& v
                Trial& trial) {
     TableReader table(file, readTable(file, key, value), value.where, fmt::format("\"{}\" of a claim", key));
     readSettings(table, scene, kTrialLimits, trial.settings, trial.at);
+    if (const TomlValue* specular = table.optional(kMaxSpecularInfo.name))
+        trial.settings.maxSpecular = static_cast<std::uint32_t>(readWhole(
+            file, kMaxSpecularInfo.name, *specular, {kMaxSpecularInfo.least, kMaxSpecularInfo.most}));
     if (const TomlValue* estimator = table.optional("estimator"))
         trial.estimator = readText(file, "estimator", *estimator, kIdRule);
     if (const TomlValue* repeats = table.optional("repeats"))

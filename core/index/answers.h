@@ -1,6 +1,8 @@
 // What does a kernel answer? The methods of SegmentIndex, for one instruction set.
 #pragma once
 
+#include <new>
+
 #include "core/index/fan.h"
 #include "core/index/few_walls.h"
 #include "core/index/kernels.h"
@@ -19,7 +21,8 @@ inline bool answerOccluded(const IndexView& index, const Ray& ray, double tMax, 
 
 inline void answerBatch(const IndexView& index, const Ray* rays, Hit* hits, std::size_t count) {
     if (!index.few) return closestHits(index, rays, hits, count);
-    for (std::size_t i = 0; i < count; ++i) hits[i] = closestOfFew(index, rays[i]);
+    for (std::size_t i = 0; i < count; ++i)
+        new (hits + i) Hit(closestOfFew(index, rays[i]));  // in place, see meet()
 }
 
 inline void answerFan(const IndexView& index, const Ray* rays, Hit* hits, std::size_t count) {

@@ -37,7 +37,8 @@ const std::string kSays = "says = 'W'\nmeasure = 'rays'\n";
 
 TEST_CASE("a claim measures what its step sets, but for what it sets itself") {
     const Claim claim = claimOf(
-        "says = 'Noise'\nmeasure = 'variance'\nwith = { samples = 8, repeats = 50, estimator = 'path' }\n"
+        "says = 'Noise'\nmeasure = 'variance'\nwith = { samples = 8, specular = 2, repeats = 50, estimator = "
+        "'path' }\n"
         "over = { sampler = 'cosine', params = { roulette = 0, mis = 'off', share = 0.5 } }\natLeast = 10\n");
     CHECK(claim.says == "Noise");
     CHECK(claim.quantity == Quantity::variance);
@@ -46,6 +47,7 @@ TEST_CASE("a claim measures what its step sets, but for what it sets itself") {
     CHECK(claim.where == TextPosition{15, 11});
     CHECK(claim.of.settings.samples == 8);
     CHECK(claim.of.at == WallPoint{0, 0.25});
+    CHECK(claim.of.settings.maxSpecular == 2);
     CHECK(claim.of.repeats == 50);
     CHECK(claim.of.estimator == "path");
     REQUIRE(claim.over.has_value());

@@ -26,7 +26,8 @@
 //   [[step.claim]]                 # checked by halfdisk verify; measured as the step is set
 //   says = "..."
 //   measure = "variance"           # one of kQuantities
-//   with = { samples = 8 }         # what differs from the step: its keys, specular, estimator, params, repeats
+//   with = { samples = 8 }         # what differs from the step: its keys, specular, estimator, params,
+//                                  # repeats
 //   over = { sampler = "lobe" }    # divided by the same, measured with these changes to `with`
 //   atLeast = 10                   # or atMost, or equals (with tolerance = 0.01)
 #pragma once

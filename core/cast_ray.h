@@ -61,8 +61,9 @@ Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, uint32_t depth,
     // compute direct illumination
     for (uint32_t i = 0; i < lightCount(scene); ++i) {  // 006
         const SampleRange draws = drawsOf(scene, i, settings.emitters, range);
+        UniformRow places(rng, 1 + i);
         for (uint32_t n = draws.first; n < draws.last && see.keepGoing(); ++n) {
-            const double u = drawUnit(settings, rng, n, 1 + i, draws.N);
+            const double u = drawUnit(settings, places, n, draws.N);
             const LightSample light = sampleLight(scene, i, P, u);
             const Vec2 L = light.L;  // 007
             const Rgb L_i = light.L_i * transmittance(scene, at.medium, light.distance) *
@@ -74,10 +75,11 @@ Irradiance CastRay<Observer>::gatherLight(const ShadedPoint& at, uint32_t depth,
         }
     }  // 011
     // compute indirect illumination
+    UniformRow angles(rng, 0);
     const Frame rotMat = frameFromNormal(N);                                  // 013
     for (uint32_t n = range.first; n < range.last && see.keepGoing(); ++n) {  // 015
         // step 1: draw a random sample in the half-disk
-        const auto [theta, pdfAngle] = drawHalfDisk(settings, at, rng, n, range.N);  // 017
+        const auto [theta, pdfAngle] = drawHalfDisk(settings, at, angles, n, range.N);  // 017
         if (theta <= 0.0 || theta >= kPi) continue;    // the part of a lobe that the wall cuts off
         const double cosTheta = halfCircleCos(theta);  // 018
         const double sinTheta = halfCircleSin(theta);  // 019

@@ -82,16 +82,6 @@ void SegmentIndex::build() {
                                                                  : Layout::list);
 }
 
-Hit SegmentIndex::closestHit(const Ray& ray) const {
-    return method_ == IndexMethod::everyWall ? kernels_->closestOfAll(view_, ray)
-                                             : kernels_->closestHit(view_, ray);
-}
-
-bool SegmentIndex::occluded(const Ray& ray, double tMax, std::uint32_t lamp) const {
-    return method_ == IndexMethod::everyWall ? kernels_->occludedByAny(view_, ray, tMax, lamp)
-                                             : kernels_->occluded(view_, ray, tMax, lamp);
-}
-
 void SegmentIndex::closestHits(std::span<const Ray> rays, std::span<Hit> hits) const {
     if (method_ != IndexMethod::everyWall)
         return kernels_->closestHits(view_, rays.data(), hits.data(), rays.size());
@@ -106,12 +96,6 @@ void SegmentIndex::closestHitsFan(std::span<const Ray> rays, std::span<Hit> hits
 void SegmentIndex::occluded(std::span<const Ray> rays, std::span<const double> tMax,
                             std::span<std::uint8_t> answers) const {
     for (std::size_t i = 0; i < rays.size(); ++i) answers[i] = occluded(rays[i], tMax[i]);
-}
-
-Vec2 SegmentIndex::pointOn(std::uint32_t segment, double u) const {
-    const Segment& s = scene_->segments[segment];
-    const double margin = edges_[segment].margin;
-    return s.a + std::clamp(u, margin, 1.0 - margin) * (s.b - s.a);
 }
 
 }  // namespace halfdisk

@@ -4,6 +4,7 @@
 // spare walls that cannot be met.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -49,17 +50,15 @@ class SegmentIndex {
     /// Radiance that a ray in this direction meets if it meets no wall.
     Rgb environment(Vec2 direction) const { return radianceFrom(scene_->environment, direction); }
     bool hasGlass() const { return hasGlass_; }
-    const std::vector<std::uint32_t>& emitters() const {
-        return emitters_;
-    }  ///< segments that emit, ascending
+    /// Segments that emit, ascending.
+    const std::vector<std::uint32_t>& emitters() const { return emitters_; }
     Vec2 normal(std::uint32_t segment) const { return edges_[segment].normal; }
     const Material& material(std::uint32_t segment) const {
         return scene_->materials[scene_->segments[segment].material];
     }
     double length(std::uint32_t segment) const { return edges_[segment].length; }
 
-    /// Point at u of a segment, kept away from both ends so that it stays inside sharp corners
-    /// too.
+    /// Point at u of a segment, kept away from both ends so that it stays inside sharp corners too.
     Vec2 pointOn(std::uint32_t segment, double u) const;
 
     /// Bound (m) on how far a rounded point of this segment can lie from its line; twice over.
@@ -84,5 +83,23 @@ class SegmentIndex {
     std::vector<std::uint32_t> emitters_;
     bool hasGlass_ = false;
 };
+
+// Here, for castRay asks for them with every ray.
+
+inline Hit SegmentIndex::closestHit(const Ray& ray) const {
+    return method_ == IndexMethod::everyWall ? kernels_->closestOfAll(view_, ray)
+                                             : kernels_->closestHit(view_, ray);
+}
+
+inline bool SegmentIndex::occluded(const Ray& ray, double tMax, std::uint32_t lamp) const {
+    return method_ == IndexMethod::everyWall ? kernels_->occludedByAny(view_, ray, tMax, lamp)
+                                             : kernels_->occluded(view_, ray, tMax, lamp);
+}
+
+inline Vec2 SegmentIndex::pointOn(std::uint32_t segment, double u) const {
+    const Segment& s = scene_->segments[segment];
+    const double margin = edges_[segment].margin;
+    return s.a + std::clamp(u, margin, 1.0 - margin) * (s.b - s.a);
+}
 
 }  // namespace halfdisk

@@ -16,10 +16,6 @@ double cosineRatio(const SurfacePoint& at, Vec2 toLight) {
     return at.round == at.N ? 1.0 : glm::dot(at.round, toLight) / glm::dot(at.N, toLight);
 }
 
-Vec2 roundNormal(const Segment& wall, double u) {
-    return glm::normalize(wall.normalA + u * (wall.normalB - wall.normalA));
-}
-
 // A ray that the round thing sends just below its own facet would be lost in it: it is mirrored up. On a
 // circle of n facets that concerns the last pi/n rad before grazing.
 Vec2 onSide(Vec2 direction, Vec2 N, bool above) {
@@ -55,21 +51,11 @@ std::optional<Scattered> sampleHalfDiskOf(const SurfacePoint& at, Carried carrie
 
 }  // namespace
 
-SurfacePoint surfaceAt(const SegmentIndex& index, const Ray& ray, const Hit& hit) {
+Vec2 roundNormalAt(const SegmentIndex& index, const Hit& hit, Vec2 from, Vec2 N) {
     const Segment& wall = index.scene().segments[hit.segment];
-    const Vec2 N = hit.front ? index.normal(hit.segment) : -index.normal(hit.segment);
-    SurfacePoint at{
-        index.pointOn(hit.segment, hit.u), N, N, -ray.direction, hit.segment, hit.front, ray.medium,
-        &index.material(hit.segment)};
-    if (isSmooth(wall)) {
-        const Vec2 round = hit.front ? roundNormal(wall, hit.u) : -roundNormal(wall, hit.u);
-        if (glm::dot(round, at.from) > 0.0) at.round = round;
-    }
-    return at;
-}
-
-bool actsThere(const SegmentIndex& index, const SurfacePoint& at) {
-    return at.front || index.scene().segments[at.segment].twoSided || actsOnBothSides(*at.material);
+    const Vec2 normal = glm::normalize(wall.normalA + hit.u * (wall.normalB - wall.normalA));
+    const Vec2 round = hit.front ? normal : -normal;
+    return glm::dot(round, from) > 0.0 ? round : N;
 }
 
 Rgb evalSurface(const SurfacePoint& at, Vec2 toLight, Vec2 toEye) {
@@ -147,9 +133,8 @@ Vec2 originOff(const SegmentIndex& index, std::uint32_t segment, Vec2 P, Vec2 di
     return P + N * (side * index.originShift(segment));
 }
 
-Rgb transmittance(const SegmentIndex& index, std::uint32_t medium, double distance) {
-    if (medium == kNoMedium) return Rgb(1.0);
-    const Rgb& absorption = std::get<Dielectric>(index.scene().materials[medium]).absorption;
+Rgb transmittanceOf(const Material& glass, double distance) {
+    const Rgb& absorption = std::get<Dielectric>(glass).absorption;
     return absorption == Rgb(0.0) ? Rgb(1.0) : glm::exp(-absorption * distance);
 }
 

@@ -29,12 +29,29 @@ struct ScatterDraws {
     double coin, u, v;
 };
 
-/// `ray` of unit direction. A round normal that the ray would see from behind is replaced by the flat one.
-SurfacePoint surfaceAt(const SegmentIndex& index, const Ray& ray, const Hit& hit);
+/// The round thing's normal at the hit on its facet, on the side of the flat normal N; N, if it would be seen
+/// from behind.
+Vec2 roundNormalAt(const SegmentIndex& index, const Hit& hit, Vec2 from, Vec2 N);
+
+/// `ray` of unit direction.
+inline SurfacePoint surfaceAt(const SegmentIndex& index, const Ray& ray, const Hit& hit) {
+    const Vec2 normal = index.normal(hit.segment), N = hit.front ? normal : -normal, from = -ray.direction;
+    const bool smooth = isSmooth(index.scene().segments[hit.segment]);
+    return {index.pointOn(hit.segment, hit.u),
+            N,
+            smooth ? roundNormalAt(index, hit, from, N) : N,
+            from,
+            hit.segment,
+            hit.front,
+            ray.medium,
+            &index.material(hit.segment)};
+}
 
 /// Whether the side of the wall that was met scatters (and a lamp's emits). The back of a one-sided wall is
 /// black.
-bool actsThere(const SegmentIndex& index, const SurfacePoint& at);
+inline bool actsThere(const SegmentIndex& index, const SurfacePoint& at) {
+    return at.front || index.scene().segments[at.segment].twoSided || actsOnBothSides(*at.material);
+}
 
 /// BRDF (1/rad) of all that is not a mirror or glass: radiance towards `toEye` = sum of BRDF * radiance from
 /// `toLight` * (N.toLight).
@@ -61,8 +78,13 @@ Ray leave(const SegmentIndex& index, const SurfacePoint& at, const Scattered& sc
 /// Start of a ray from a point of a wall, off its rounding error, on the side that `direction` goes to.
 Vec2 originOff(const SegmentIndex& index, std::uint32_t segment, Vec2 P, Vec2 direction);
 
-/// Share of light that a medium lets through over `distance` metres (Beer).
-Rgb transmittance(const SegmentIndex& index, std::uint32_t medium, double distance);
+/// Share of light that glass lets through over `distance` metres (Beer).
+Rgb transmittanceOf(const Material& glass, double distance);
+
+/// The same of what a ray is in, which may be nothing.
+inline Rgb transmittance(const SegmentIndex& index, std::uint32_t medium, double distance) {
+    return medium == kNoMedium ? Rgb(1.0) : transmittanceOf(index.scene().materials[medium], distance);
+}
 
 /// The glass that a point lies in, if any: the shape whose skin a ray from there meets from within. O(n).
 std::uint32_t mediumAt(const SegmentIndex& index, Vec2 P);

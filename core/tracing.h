@@ -159,22 +159,21 @@ inline SampleRange drawsOf(const SegmentIndex& index, std::uint32_t light, Emitt
     return emitters == Emitters::hit ? SampleRange{0, 0, 1} : range;
 }
 
-/// Sample n of N over the half-disk: dimension 0 of its random numbers (of a lobe, the last one too). Theta
-/// beyond (0, pi) is a lobe's part below the wall.
-inline HalfDiskSample drawHalfDisk(const Settings& settings, const ShadedPoint& at, const Rng& rng,
+/// Sample n of N over the half-disk, from dimension 0 of its random numbers (of a lobe, the last one too).
+/// Theta beyond (0, pi) is a lobe's part below the wall.
+inline HalfDiskSample drawHalfDisk(const Settings& settings, const ShadedPoint& at, UniformRow& draws,
                                    std::uint32_t n, std::uint32_t N) {
-    const double u = rng.uniform(n, 0);
+    const double u = draws(n);
     if (settings.sampler != Sampler::lobe || at.lobe.isMatt())
         return sampleHalfDisk(settings.sampler, u, n, N);
-    const double angle = sampleLobeAngle(at.lobe.exponent, u, rng.uniform(n, kOwnSample));
+    const double angle = sampleLobeAngle(at.lobe.exponent, u, draws.rng().uniform(n, kOwnSample));
     const double axis = std::atan2(glm::dot(at.lobe.axis, at.N), cross(at.lobe.axis, at.N));
     return {axis + angle, std::pow(std::cos(angle), at.lobe.exponent) / lobeIntegral(at.lobe.exponent)};
 }
 
-/// A number in (0, 1) from dimension d: in slice n of N when the sampler is stratified.
-inline double drawUnit(const Settings& settings, const Rng& rng, std::uint32_t n, std::uint32_t d,
-                       std::uint32_t N) {
-    const double u = rng.uniform(n, d);
+/// A number in (0, 1): in slice n of N when the sampler is stratified.
+inline double drawUnit(const Settings& settings, UniformRow& draws, std::uint32_t n, std::uint32_t N) {
+    const double u = draws(n);
     return settings.sampler == Sampler::stratified ? (n + u) / N : u;
 }
 

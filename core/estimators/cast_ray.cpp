@@ -83,9 +83,10 @@ class CastRayEstimator : public Estimator {
     // In empty space there is no half-disk: N directions of the full circle, and lamps are met by chance.
     Rgb fluenceAt(Tracer& tracer, const Receiver& receiver, const Rng& rng) const {
         Rgb sum{0.0};
+        UniformRow angles(rng, 0);
         for (std::uint32_t n = 0; n < settings_.samples; ++n) {
             Sight sight =
-                sightFrom(receiver, problem_.index, drawUnit(settings_, rng, n, 0, settings_.samples));
+                sightFrom(receiver, problem_.index, drawUnit(settings_, angles, n, settings_.samples));
             sight.ray.pdfAngle = 0.0;
             sum += tracer.castRay(sight.ray, 1, rng.child(n)).total() * sight.weight;
         }

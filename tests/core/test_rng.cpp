@@ -45,6 +45,22 @@ TEST_CASE("rng: the same address gives the same number, whatever was drawn befor
     CHECK(rng.child(4).child(2).uniform(0, 0) == Rng(7, 3).child(4).child(2).uniform(0, 0));
 }
 
+TEST_CASE("rng: four samples at once are the same four, to the bit") {
+    constexpr std::uint32_t kLast = 0xFFFFFFFFu;
+    for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{0x123456789ABCDEF0}, UINT64_MAX})
+        for (std::uint64_t repeat = 0; repeat < 50; ++repeat)
+            for (const std::uint32_t d : {0u, 1u, 2u, 7u, kLast - 1, kLast}) {
+                const Rng rng(seed, repeat);
+                for (const std::uint32_t first : {0u, 4u, 1000u, 0x7FFFFFFCu, kLast - 3}) {
+                    const std::array<double, 4> four = rng.uniforms(first, d);
+                    for (std::uint32_t i = 0; i < 4; ++i) CHECK(four[i] == rng.uniform(first + i, d));
+                }
+                UniformRow row(rng, d);
+                for (const std::uint32_t n : {5u, 0u, 1u, 2u, 3u, 4u, kLast, 0u})
+                    CHECK(row(n) == rng.uniform(n, d));
+            }
+}
+
 TEST_CASE("rng: never an end of (0, 1), at extreme addresses too") {
     constexpr std::uint32_t kLast = 0xFFFFFFFFu;
     for (const std::uint64_t seed : {std::uint64_t{0}, UINT64_MAX})

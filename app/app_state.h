@@ -23,7 +23,7 @@ struct Playback {
 };
 
 /// What the pointer holds on the canvas.
-enum class Grip : std::uint8_t { none, point, canvas };
+enum class Grip : std::uint8_t { none, point, canvas, split };
 
 /// Which column a small screen shows; a large one shows all three.
 enum class Pane : std::uint8_t { lesson, stage, controls };
@@ -42,6 +42,7 @@ struct AppState {
     WallPoint at;
     Playback playback;
     ViewSet show;
+    Makers makers;  ///< of the pictures
     bool unlockAll = false;
 
     // the screen
@@ -49,6 +50,7 @@ struct AppState {
     bool fitCamera = true;  ///< keep the whole scene in sight; until the reader pans or zooms
     Grip grip = Grip::none;
     std::optional<std::uint32_t> eyePixel;  ///< of the eye's strip, under the pointer
+    float split = 0.5f;  ///< of two fields side by side: where the second begins, 0 ... 1 of the canvas
     Pane pane = Pane::lesson;
     bool canvasHidden = false;  ///< on a low screen: the code or plot takes the canvas' place
     bool answerShown = false;

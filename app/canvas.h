@@ -25,6 +25,11 @@ struct Canvas {
 void drawGrid(const Canvas& canvas);
 void drawField(const Canvas& canvas);
 bool fieldIsSeen(const Canvas& canvas);
+void drawWays(const Canvas& canvas);
+void drawSplit(const Canvas& canvas);
+/// Two fields side by side, the second right of a line that can be dragged.
+bool hasSplit(const AppState& state);
+float splitAt(const Canvas& canvas);  ///< pixels
 void drawWalls(const Canvas& canvas);
 void drawEye(const Canvas& canvas);
 void drawLights(const Canvas& canvas);

@@ -1,10 +1,13 @@
 // The pictures that belong to the canvas: the field behind the scene with its legend, and where the eye
 // looks.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "app/canvas.h"
 #include "app/draw_text.h"
+#include "app/picture_stages.h"
 #include "app/tone.h"
 #include "core/surface.h"
 
@@ -14,13 +17,16 @@ namespace {
 /// Less than 1: dark places stay lighter than ink, so that lines and words on them can be read.
 constexpr float kOpacity = 0.85f;
 
+/// The one whose scale the legend tells; two have the same.
 const LightPicture* shownField(const AppState& state) {
-    const bool there = state.shows(View::field) && state.answer && state.answer->field;
-    return there ? state.answer->field.get() : nullptr;
+    if (!state.shows(View::field) || !state.answer) return nullptr;
+    const LightPicture *first = state.answer->pictures.field.get(),
+                       *second = state.answer->against.field.get();
+    return second && !second->colors.empty() && (!first || first->colors.empty()) ? second : first;
 }
 
 std::string rangeEnd(const LightPicture& field) {
-    return "\u2265 " + shown(field.white) + " W/m";
+    return field.white > 0.0 ? "\u2265 " + shown(field.white) + " W/m" : "no light at all";
 }
 
 /// In the colours of the picture, from black to white. Returns its width.
@@ -37,10 +43,10 @@ void drawScale(const Canvas& canvas, ImVec2 min, ImVec2 max) {
 
 }  // namespace
 
-void drawField(const Canvas& canvas) {
-    const LightPicture* picture = shownField(canvas.ui.state);
-    if (!picture || picture->colors.empty()) return;
-    const Field& field = std::get<Field>(picture->sensor);
+namespace {
+
+void drawOneField(const Canvas& canvas, const LightPicture& picture) {
+    const Field& field = std::get<Field>(picture.sensor);
     const Vec2 cell = (field.max - field.min) / Vec2(field.width, field.height);
     const auto left = [&](std::uint32_t column) {
         return std::round(canvas.screen({field.min.x + column * cell.x, 0.0}).x);
@@ -51,11 +57,84 @@ void drawField(const Canvas& canvas) {
     for (std::uint32_t row = 0; row < field.height; ++row) {
         const float high = top(row), low = top(row + 1);
         if (low <= canvas.rect.min.y || high >= canvas.rect.max.y) continue;
-        const std::uint32_t* colors = picture->colors.data() + std::size_t{row} * field.width;
+        const std::uint32_t* colors = picture.colors.data() + std::size_t{row} * field.width;
         for (std::uint32_t begin = 0, end = 0; begin < field.width; begin = end) {
             while (end < field.width && colors[end] == colors[begin]) ++end;
             canvas.list.AddRectFilled({left(begin), high}, {left(end), low},
                                       withOpacity(colors[begin], kOpacity));
+        }
+    }
+}
+
+/// Who made a half, at its upper end.
+void drawHalfTitle(const Canvas& canvas, std::string_view title, const char* side, float x, Align align) {
+    const Ui& ui = canvas.ui;
+    const std::string words = fmt::format("{}: {}", side, title);
+    const ImVec2 size = textSize(words, ui.fonts.strong);
+    const float y = canvas.rect.min.y + ImGui::GetFrameHeight() + canvas.px(16);
+    const float left = align == Align::right ? x - size.x : x;
+    canvas.list.AddRectFilled({left - canvas.px(5), y - canvas.px(3)},
+                              {left + size.x + canvas.px(5), y + size.y + canvas.px(3)},
+                              withOpacity(ui.palette.background, 0.9f), canvas.px(4));
+    drawText(ui, {left, y}, ui.palette.ink, words, Align::left, ui.fonts.strong);
+}
+
+}  // namespace
+
+bool hasSplit(const AppState& state) {
+    return state.shows(View::field) && state.makers.second;
+}
+
+float splitAt(const Canvas& canvas) {
+    return std::round(canvas.rect.min.x + canvas.ui.state.split * canvas.rect.width());
+}
+
+void drawField(const Canvas& canvas) {
+    const AppState& state = canvas.ui.state;
+    if (!state.shows(View::field) || !state.answer) return;
+    const PictureSet &first = state.answer->pictures, &second = state.answer->against;
+    const auto draw = [&](const std::shared_ptr<const LightPicture>& picture, float from, float to) {
+        if (!picture || picture->colors.empty()) return;
+        canvas.list.PushClipRect({from, canvas.rect.min.y}, {to, canvas.rect.max.y}, true);
+        drawOneField(canvas, *picture);
+        canvas.list.PopClipRect();
+    };
+    const float split = hasSplit(state) ? splitAt(canvas) : canvas.rect.max.x;
+    draw(first.field, canvas.rect.min.x, split);
+    if (split < canvas.rect.max.x) draw(second.field, split, canvas.rect.max.x);
+}
+
+void drawSplit(const Canvas& canvas) {
+    const AppState& state = canvas.ui.state;
+    if (!hasSplit(state)) return;
+    const float x = splitAt(canvas), middle = canvas.rect.center().y;
+    const ImU32 color = canvas.ui.palette.accent;
+    canvas.list.AddLine({x, canvas.rect.min.y}, {x, canvas.rect.max.y}, canvas.ui.palette.panel,
+                        canvas.px(4));
+    canvas.list.AddLine({x, canvas.rect.min.y}, {x, canvas.rect.max.y}, color, canvas.px(2));
+    canvas.list.AddCircleFilled({x, middle}, canvas.px(9), canvas.ui.palette.panel);
+    canvas.list.AddCircle({x, middle}, canvas.px(9), color, 0, canvas.px(2));
+    const Maker first = state.makers.first ? *state.makers.first : usualMaker(View::field);
+    const float gap = canvas.px(14);
+    drawHalfTitle(canvas, titleOf(first, &*state.makers.second), "A", x - gap, Align::right);
+    drawHalfTitle(canvas, titleOf(*state.makers.second, &first), "B", x + gap, Align::left);
+}
+
+void drawWays(const Canvas& canvas) {
+    const AppState& state = canvas.ui.state;
+    if (!state.shows(View::paths) || !state.answer || !state.answer->ways) return;
+    const std::vector<LightWay>& ways = *state.answer->ways;
+    const Palette& palette = canvas.ui.palette;
+    for (std::size_t w = 0; w < std::min<std::size_t>(ways.size(), kWaysDrawn); ++w) {
+        const LightWay& way = ways[w];
+        for (std::size_t i = 1; i < way.corners.size(); ++i) {
+            // Straight from the light bright, fainter with every scattering.
+            const auto scatterings = static_cast<float>(std::count(
+                way.word.begin(),
+                way.word.begin() + static_cast<std::ptrdiff_t>(std::min(i, way.word.size())), 'D'));
+            const ImU32 color = scatterings > 0 ? palette.sample : palette.rayBright;
+            const float opacity = scatterings > 0 ? 0.45f / scatterings : 0.65f;
+            canvas.line(way.corners[i - 1], way.corners[i], withOpacity(color, opacity), canvas.px(1.3f));
         }
     }
 }
@@ -102,9 +181,9 @@ float legendRow(const Canvas& canvas, int row) {
 
 void drawGaze(const Canvas& canvas) {
     const AppState& state = canvas.ui.state;
-    if (!state.shows(View::eye) || !state.eyePixel || !state.answer || !state.answer->eye) return;
+    if (!state.shows(View::eye) || !state.eyePixel || !state.answer || !state.answer->pictures.eye) return;
     const SegmentIndex& index = state.scene->index;
-    const Sensor& strip = state.answer->eye->sensor;
+    const Sensor& strip = state.answer->pictures.eye->sensor;
     if (*state.eyePixel >= pixelCount(strip)) return;
     Ray ray = sightFrom(startOf(strip, index, *state.eyePixel, 0.5, 0.5), index, 0.5).ray;
     // On by mirrors and through glass, to what is really seen. Of glass, what it lets through.

@@ -14,6 +14,10 @@ Vec2 shadedNormal(const AppState& state) {
     return state.scene->index.normal(state.at.segment);
 }
 
+bool isOverSplit(const Canvas& canvas, ImVec2 mouse) {
+    return hasSplit(canvas.ui.state) && std::abs(mouse.x - splitAt(canvas)) < canvas.px(8);
+}
+
 bool isOverPoint(const Canvas& canvas, ImVec2 mouse) {
     const ImVec2 p = canvas.screen(positionOf(canvas.ui.state.scene->scene, canvas.ui.state.at));
     return std::hypot(mouse.x - p.x, mouse.y - p.y) < canvas.px(16);
@@ -28,6 +32,11 @@ void interact(const Canvas& canvas, bool hovered, bool active) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         tooltip(movable ? "P: drag it along the walls" : "P stays here in this step (Unlock all frees it)");
     }
+    const bool overSplit = hovered && !overPoint && isOverSplit(canvas, io.MousePos);
+    if (overSplit && ui.state.grip == Grip::none) {
+        ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+        tooltip("drag: more of A or more of B");
+    }
     if (hovered && io.MouseWheel != 0.0f)
         ui.commands.push_back(
             SetCamera{zoomed(canvas.camera, canvas.rect, io.MousePos, std::pow(1.15, io.MouseWheel))});
@@ -36,11 +45,15 @@ void interact(const Canvas& canvas, bool hovered, bool active) {
         return;
     }
     if (ui.state.grip == Grip::none) {
-        const bool grabs = ImGui::IsMouseDown(0) && overPoint && movable;
-        ui.commands.push_back(SetGrip{grabs ? Grip::point : Grip::canvas});
+        const bool left = ImGui::IsMouseDown(0);
+        ui.commands.push_back(SetGrip{left && overPoint && movable ? Grip::point
+                                      : left && overSplit          ? Grip::split
+                                                                   : Grip::canvas});
         return;
     }
     if (io.MouseDelta.x == 0.0f && io.MouseDelta.y == 0.0f) return;
+    if (ui.state.grip == Grip::split)
+        ui.commands.push_back(SetSplit{(io.MousePos.x - canvas.rect.min.x) / canvas.rect.width()});
     if (ui.state.grip == Grip::canvas) ui.commands.push_back(SetCamera{panned(canvas.camera, io.MouseDelta)});
     if (ui.state.grip == Grip::point)
         ui.commands.push_back(MovePoint{
@@ -110,6 +123,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     canvas.list.PushClipRect(rect.min, rect.max, true);
     const Vec2 P = positionOf(state.scene->scene, state.at), N = shadedNormal(state);
     drawField(canvas);
+    drawWays(canvas);
     if (state.shows(View::grid)) drawGrid(canvas);
     if (state.shows(View::halfdisk)) drawHalfDisk(canvas, P, N, 1.0f);
     if (state.shows(View::tree)) drawTree(canvas);
@@ -120,6 +134,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     drawGaze(canvas);
     drawPoint(canvas, P, N);
     drawCurrentStep(canvas);
+    drawSplit(canvas);
     const ImVec2 p = canvas.screen(P);
     const ImVec2 below{p.x - canvas.px(20) * static_cast<float>(N.x),
                        p.y + canvas.px(20) * static_cast<float>(N.y)};

@@ -29,6 +29,8 @@ void enterStep(AppState& state, std::size_t step) {
         state.at = WallPoint{0, 0.5};
     }
     state.settings = entered.values.settings;
+    state.makers = entered.values.makers;
+    state.split = 0.5f;
     askAnew(state);
     const bool stepping = entered.unlock == Control::step || entered.values.event > 0;
     state.playback = {stepping, entered.values.event, false, 0.0f};
@@ -114,7 +116,7 @@ void jumpToLine(AppState& state, int line) {
 }
 
 void setView(AppState& state, const SetView& set) {
-    const bool picture = set.view == View::eye || set.view == View::field;
+    const bool picture = kPictureSet.has(set.view);
     if (picture && set.on && !state.shows(set.view)) ++state.questionId;  // the run and its playback stay
     if (set.view == View::eye) state.eyePixel.reset();
     state.show.set(set.view, set.on);
@@ -156,6 +158,12 @@ void applyUnchecked(AppState& state, const Command& command) {
                        state.settings = c.settings;
                        askAnew(state);
                    },
+                   [&](const SetMakers& c) {
+                       if (state.makers == c.makers) return;
+                       state.makers = c.makers;
+                       ++state.questionId;  // the run and its playback stay
+                   },
+                   [&](SetSplit c) { state.split = std::clamp(c.split, 0.0f, 1.0f); },
                    [&](const MovePoint& c) {
                        if (state.at == c.at || c.at.segment >= state.scene->scene.segments.size()) return;
                        state.at = {c.at.segment, std::clamp(c.at.t, 0.0, 1.0)};

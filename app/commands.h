@@ -28,6 +28,12 @@ struct Reload {};  ///< read the files again; the step stays
 struct SetSettings {
     Settings settings;
 };
+struct SetMakers {
+    Makers makers;
+};
+struct SetSplit {
+    float split;
+};
 struct MovePoint {
     WallPoint at;
 };
@@ -77,10 +83,10 @@ struct ToggleHelp {};
 struct DismissBanner {};
 
 using Command =
-    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload, SetSettings, MovePoint,
-                 SetEvent, StepEvents, JumpToLine, ShowWholeRun, TogglePlay, SetCamera, FitCamera, ScrolledTo,
-                 SetGrip, SetUiScale, SetView, LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll,
-                 ToggleHelp, DismissBanner>;
+    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload, SetSettings, SetMakers,
+                 SetSplit, MovePoint, SetEvent, StepEvents, JumpToLine, ShowWholeRun, TogglePlay, SetCamera,
+                 FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, ShowPane, HideCanvas,
+                 RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.

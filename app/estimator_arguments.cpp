@@ -73,13 +73,6 @@ std::string paramText(const ParamInfo& param, double value) {
     return param.whole ? fmt::format("{:.0f}", value) : fmt::format("{}", value);
 }
 
-std::string paramRange(const ParamInfo& param) {
-    if (!param.choices.empty()) return fmt::format("one of {}", fmt::join(param.choices, ", "));
-    const std::string range =
-        fmt::format("a {}number from {:g} to {:g}", param.whole ? "whole " : "", param.least, param.most);
-    return param.unit.empty() ? range : fmt::format("{} {}", range, param.unit);
-}
-
 std::string describedEstimators() {
     std::string lines;
     for (const EstimatorInfo* info : estimators())

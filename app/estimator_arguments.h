@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/estimators.h"
+#include "lessons/maker_reader.h"
 
 namespace halfdisk {
 
@@ -21,9 +21,6 @@ ParamValues paramArguments(const EstimatorInfo& info, const std::vector<std::str
 
 /// A value as paramArguments reads it back, bit for bit.
 std::string paramText(const ParamInfo& param, double value);
-
-/// What values a parameter takes: `one of "a" or "b"`, `a whole number from 0 to 10`.
-std::string paramRange(const ParamInfo& param);
 
 /// A line `  id  meaning` per estimator, for help.
 std::string describedEstimators();

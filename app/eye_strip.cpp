@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/draw_text.h"
 #include "app/panels.h"
+#include "app/picture_stages.h"
 
 namespace halfdisk {
 namespace {
@@ -14,10 +16,30 @@ constexpr float kStripHeight = 36;  // design pixels
 constexpr const char* kTitle = "What the eye sees";
 
 /// Why there is no strip yet, or never.
-std::string whyEmpty(const AppState& state) {
+std::string whyEmpty(const AppState& state, const LightPicture* picture) {
     if (!state.scene->scene.eye) return "this scene has no eye";
-    const auto& picture = state.answer ? state.answer->eye : nullptr;
     return picture && !picture->refusal.empty() ? picture->refusal : "being computed";
+}
+
+struct Row {
+    const LightPicture* picture;  ///< null: none yet
+    std::string title;
+    const char* name;  ///< of the widget
+};
+
+/// One strip, or two below each other.
+std::vector<Row> rowsOf(const AppState& state) {
+    const Maker first = state.makers.first.value_or(usualMaker(View::eye));
+    const Maker* second = state.makers.second ? &*state.makers.second : nullptr;
+    const auto title = [](const Maker& maker, const Maker* other) {
+        return fmt::format("{}: {}", kTitle, titleOf(maker, other));
+    };
+    std::vector<Row> rows{{state.answer ? state.answer->pictures.eye.get() : nullptr,
+                           state.makers.first ? title(first, second) : kTitle, "eye strip"}};
+    if (second)
+        rows.push_back({state.answer ? state.answer->against.eye.get() : nullptr, title(*second, &first),
+                        "eye strip B"});
+    return rows;
 }
 
 void drawStrip(const Ui& ui, const LightPicture& picture, ImVec2 min, ImVec2 max) {
@@ -34,50 +56,62 @@ void drawStrip(const Ui& ui, const LightPicture& picture, ImVec2 min, ImVec2 max
                  ImDrawFlags_None, 2 * ui.scale);
 }
 
-/// The pixel under the pointer lights up on the canvas, and tells its value.
-void point(const Ui& ui, const LightPicture* picture, ImVec2 min, ImVec2 max) {
-    std::optional<std::uint32_t> pixel;
-    if (picture && ImGui::IsItemHovered()) {
-        const auto count = static_cast<float>(picture->colors.size());
-        const float share = (ImGui::GetIO().MousePos.x - min.x) / (max.x - min.x);
-        pixel = static_cast<std::uint32_t>(std::clamp(share * count, 0.0f, count - 1.0f));
-        const Statistics& value = picture->film.pixels[*pixel];
-        tooltip(fmt::format("L = {} \u00b1 {:.1g} W/(m rad)\n{} passes", shown(value.mean),
-                            gray(value.standardError()), picture->film.passes));
-    }
-    if (pixel != ui.state.eyePixel) ui.commands.push_back(LookAlong{pixel});
+/// The pixel under the pointer, which tells its value.
+std::optional<std::uint32_t> pointed(const LightPicture* picture, ImVec2 min, ImVec2 max) {
+    if (!picture || !ImGui::IsItemHovered()) return std::nullopt;
+    const auto count = static_cast<float>(picture->colors.size());
+    const float share = (ImGui::GetIO().MousePos.x - min.x) / (max.x - min.x);
+    const auto pixel = static_cast<std::uint32_t>(std::clamp(share * count, 0.0f, count - 1.0f));
+    const Statistics& value = picture->film.pixels[pixel];
+    tooltip(fmt::format("L = {} \u00b1 {:.1g} W/(m rad)\n{} passes", shown(value.mean),
+                        gray(value.standardError()), picture->film.passes));
+    return pixel;
 }
 
-}  // namespace
-
-float eyeStripHeight(const Ui& ui) {
+float rowHeight(const Ui& ui) {
     return ImGui::GetFontSize() + (kStripHeight + 4) * ui.scale;
 }
 
-void eyeStrip(const Ui& ui, float width) {
-    const AppState& state = ui.state;
-    const LightPicture* picture = state.answer ? state.answer->eye.get() : nullptr;
-    if (picture && picture->colors.empty()) picture = nullptr;
-    const ImVec2 origin = ImGui::GetCursorScreenPos(), size{width, eyeStripHeight(ui)};
-    ImGui::InvisibleButton("eye strip", size);
-    mark(ui.widgets, "eye strip", origin, {origin.x + size.x, origin.y + size.y});
+std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) {
+    const LightPicture* picture = row.picture && !row.picture->colors.empty() ? row.picture : nullptr;
+    const ImVec2 origin = ImGui::GetCursorScreenPos(), size{width, rowHeight(ui)};
+    ImGui::InvisibleButton(row.name, size);
+    mark(ui.widgets, row.name, origin, {origin.x + size.x, origin.y + size.y});
     const ImVec2 min{origin.x, origin.y + ImGui::GetFontSize() + 4 * ui.scale},
         max{origin.x + size.x, origin.y + size.y};
-    point(ui, picture, min, max);
+    const std::optional<std::uint32_t> pixel = pointed(picture, min, max);
 
-    const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, kTitle);
+    const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, row.title);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (picture) {
-        const std::string white = fmt::format("white: \u2265 {} W/(m rad)", shown(picture->white));
+        const std::string white = picture->white > 0.0
+                                      ? fmt::format("white: \u2265 {} W/(m rad)", shown(picture->white))
+                                      : "all black";
         if (title.x + textSize(white).x + 12 * ui.scale < width)
             drawText(ui, {max.x, origin.y}, ui.palette.inkSoft, white, Align::right);
         drawStrip(ui, *picture, min, max);
     } else {
         list.AddRectFilled(min, max, ui.palette.panel);
         drawText(ui, {(min.x + max.x) / 2, (min.y + max.y - ImGui::GetFontSize()) / 2}, ui.palette.inkSoft,
-                 whyEmpty(state), Align::middle);
+                 whyEmpty(ui.state, row.picture), Align::middle);
     }
     list.AddRect(min, max, ui.palette.wallBack);
+    return pixel;
+}
+
+}  // namespace
+
+float eyeStripHeight(const Ui& ui) {
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    return ui.state.makers.second ? 2 * rowHeight(ui) + gap : rowHeight(ui);
+}
+
+void eyeStrip(const Ui& ui, float width) {
+    std::optional<std::uint32_t> pixel;
+    for (const Row& row : rowsOf(ui.state))
+        if (const auto under = drawRow(ui, row, width)) pixel = under;
+    // It lights up on the canvas.
+    if (pixel != ui.state.eyePixel) ui.commands.push_back(LookAlong{pixel});
 }
 
 }  // namespace halfdisk

@@ -34,20 +34,23 @@ void scenePanels(const Ui& ui, ImVec2 size) {
 
 void stage(const Ui& ui) {
     const AppState& state = ui.state;
-    const bool code = state.shows(View::code), integrand = state.shows(View::integrand);
+    const bool code = state.shows(View::code), profile = state.shows(View::profile);
+    const bool plot = profile || state.shows(View::integrand);
     const bool low = ImGui::GetContentRegionAvail().y < kLowStage * ui.scale;
-    if (low && (code || integrand)) {
+    if (low && (code || plot)) {
         bool hidden = state.canvasHidden;
         if (toggle(ui.widgets, code ? "Code" : "Plot", hidden)) ui.commands.push_back(HideCanvas{hidden});
         tooltip("what belongs below the canvas, in its place");
     }
     const ImVec2 all = ImGui::GetContentRegionAvail();
-    if ((!code && !integrand) || (low && !state.canvasHidden)) return scenePanels(ui, all);
+    if ((!code && !plot) || (low && !state.canvasHidden)) return scenePanels(ui, all);
     const float below = std::floor(code ? 0.46f * all.y : std::min(0.4f * all.y, 300 * ui.scale));
     const ImVec2 rest{all.x, low ? all.y : below};
     if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     if (code)
         codePanel(ui, rest);
+    else if (profile)
+        profilePlot(ui, rest);
     else
         integrandPlot(ui, rest);
 }
@@ -55,12 +58,18 @@ void stage(const Ui& ui) {
 void controls(const Ui& ui) {
     const AppState& state = ui.state;
     controlsPanel(ui);
+    if ((state.show & kPictureSet) != ViewSet{}) {
+        ImGui::Separator();
+        makersPanel(ui);
+    }
     if (state.shows(View::numbers) || state.shows(View::exact)) {
         ImGui::Separator();
         numbersPanel(ui);
     }
     std::vector<void (*)(const Ui&, ImVec2)> plots;
-    if (state.shows(View::code) && state.shows(View::integrand)) plots.push_back(integrandPlot);
+    const bool code = state.shows(View::code), profile = state.shows(View::profile);
+    if (code && profile) plots.push_back(profilePlot);
+    if ((code || profile) && state.shows(View::integrand)) plots.push_back(integrandPlot);
     if (state.shows(View::error)) plots.push_back(errorPlot);
     if (state.shows(View::histogram)) plots.push_back(histogramPlot);
     if (plots.empty()) return;
@@ -160,7 +169,7 @@ void askLight(Session& session) {
     if (session.asked == state.questionId) return;
     session.asked = state.questionId;
     session.light.ask({state.questionId, state.scene, state.at, state.settings, state.shows(View::damage),
-                       state.shows(View::eye), state.shows(View::field)});
+                       state.show & kPictureSet, state.makers});
 }
 
 void frame(Session& session, const Fonts& fonts, float uiScale) {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "app/draw_text.h"
+#include "app/goal_check.h"
 #include "app/imgui_compat.h"
 #include "app/panels.h"
 #include "app/rich_text.h"
@@ -23,6 +24,27 @@ void chooser(const Ui& ui) {
     if (!combo(ui.widgets, "##Lessons", current, names)) return;
     const LessonEntry& chosen = state.lessons[static_cast<std::size_t>(current)];
     ui.commands.push_back(GoTo{chosen.slug, 0});
+}
+
+/// What to do, and how far it is.
+void goalBox(const Ui& ui, const Goal& goal) {
+    const std::optional<double> value = valueOf(goal, ui.state);
+    const bool reached = value && isReached(goal, *value);
+    ImGui::Separator();
+    ImGui::PushFont(ui.fonts.strong);
+    ImGui::PushStyleColor(ImGuiCol_Text, reached ? ui.palette.normal : ui.palette.estimate);
+    text(ui.widgets, reached ? "Reached!" : "Try");
+    ImGui::PopStyleColor();
+    ImGui::PopFont();
+    textWrapped(ui.widgets, goal.says);
+    const bool percent = goal.quantity == GoalQuantity::relativeError;
+    const auto number = [&](double x) { return percent ? fmt::format("{} %", shown(100.0 * x)) : shown(x); };
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
+    textWrapped(ui.widgets,
+                fmt::format("now {}, wanted {} {}", value ? number(*value) : "\u2026",
+                            goal.relation == Relation::atMost ? "\u2264" : "\u2265", number(goal.number)));
+    ImGui::PopStyleColor();
+    tooltip(kGoalQuantities[static_cast<std::size_t>(goal.quantity)].meaning);
 }
 
 void question(const Ui& ui, const Question& asked, const std::vector<Term>& terms) {
@@ -73,6 +95,7 @@ void lessonPanel(const Ui& ui) {
     ImGui::PopStyleColor();
     tooltip("This lesson teaches, of the published one: " + state.lesson->section);
     richText(ui, step.prose, terms);
+    if (step.goal) goalBox(ui, *step.goal);
     if (step.question) question(ui, *step.question, terms);
     ImGui::EndChild();
     navigation(ui);

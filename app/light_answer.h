@@ -10,7 +10,9 @@
 #include "app/light_picture.h"
 #include "app/prepared_scene.h"
 #include "core/estimate.h"
+#include "core/light_way.h"
 #include "core/recorder.h"
+#include "lessons/lesson.h"
 
 namespace halfdisk {
 
@@ -25,12 +27,24 @@ struct RecordSummary {
 /// What is asked: the light at a wall point, by these settings.
 struct LightQuestion {
     std::uint64_t id = 0;  ///< later questions have larger ones
-    std::shared_ptr<const PreparedScene> scene;
-    WallPoint at;
-    Settings settings;
+    std::shared_ptr<const PreparedScene> scene{};
+    WallPoint at{};
+    Settings settings{};
     bool wantsDamage = false;  ///< also what each defect alone does
-    bool wantsEye = false;     ///< also the eye's strip
-    bool wantsField = false;   ///< also the picture of the room
+    ViewSet pictures{};        ///< of View::eye, field, profile and paths: those that are wanted too
+    Makers makers{};           ///< of the pictures
+};
+
+/// What one maker made; null: not begun, not wanted, or (eye) the scene has none.
+struct PictureSet {
+    std::shared_ptr<const LightPicture> eye, field, profile;
+
+    std::shared_ptr<const LightPicture>& of(View view) {
+        return view == View::eye ? eye : view == View::field ? field : profile;
+    }
+    const std::shared_ptr<const LightPicture>& of(View view) const {
+        return view == View::eye ? eye : view == View::field ? field : profile;
+    }
 };
 
 /// Light that arrives along one direction of the half-disk.
@@ -81,8 +95,9 @@ struct LightAnswer {
     std::vector<Damage> damage;
     bool pointComplete = false;  ///< all that is asked about P is done
 
-    // stage 4: pictures, which do not depend on P; null: not begun, or (eye) the scene has none
-    std::shared_ptr<const LightPicture> eye, field;
+    // stage 4: pictures, which do not depend on P (the profile only on its wall)
+    PictureSet pictures, against;
+    std::shared_ptr<const std::vector<LightWay>> ways;  ///< of View::paths
 
     bool complete = false;
 };

@@ -1,5 +1,6 @@
 #include "app/light_job.h"
 
+#include <climits>
 #include <utility>
 #include <vector>
 
@@ -78,8 +79,10 @@ void LightJob::run() {
             return waiting_.has_value() || quit_;
         };
         const auto publishNow = [&] { publish(answer); };
+        // First pictures at once, for what is exactly known may take a while.
+        if (!superseded()) refinePictures(answer, pictures, cancelled_, publishNow, 1);
         if (!superseded()) refine(answer, references, cancelled_, publishNow);
-        if (!superseded()) refinePictures(answer, pictures, cancelled_, publishNow);
+        if (!superseded()) refinePictures(answer, pictures, cancelled_, publishNow, UINT_MAX);
         if (!superseded()) {
             answer.complete = true;
             publishNow();

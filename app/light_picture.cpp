@@ -11,11 +11,32 @@ constexpr std::uint32_t kStripPixels = 256;
 constexpr double kFieldCells = 160.0;  // along the longer side
 constexpr double kMargin = 0.04;       // of the longer side
 
+constexpr std::uint32_t kProfileBins = 96;
+
 }  // namespace
 
 std::optional<Sensor> eyeStripOf(const Scene& scene) {
     if (!scene.eye) return std::nullopt;
     return EyeStrip{*scene.eye, kStripPixels};
+}
+
+Sensor profileOf(std::uint32_t segment) {
+    return Profile{{segment}, kProfileBins};
+}
+
+std::optional<double> noiseOf(const LightPicture& picture) {
+    const PixelStatistics& pixels = picture.film.pixels;
+    if (picture.film.passes < 2 || pixels.empty()) return std::nullopt;
+    double sum = 0.0, squares = 0.0;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const Statistics pixel = pixels[i];
+        const Rgb error = pixel.standardError();
+        sum += (pixel.mean.x + pixel.mean.y + pixel.mean.z) / 3.0;
+        squares += glm::dot(error, error) / 3.0;
+    }
+    const double count = static_cast<double>(pixels.size());
+    if (!(sum > 0.0)) return std::nullopt;
+    return std::sqrt(squares / count) / (sum / count);
 }
 
 Sensor fieldOf(Vec2 min, Vec2 max) {

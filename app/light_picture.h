@@ -16,13 +16,24 @@ struct LightPicture {
     Sensor sensor;
     Film film;
     std::vector<std::uint32_t> colors;  ///< of each pixel, packed as ImGui's (IM_COL32), opaque
-    double white = 1.0;   ///< what is shown as white, in the unit of the sensor; more is cut off
+    double white =
+        1.0;  ///< what is shown as white, in the unit of the sensor; more is cut off; 0: all is black
     std::string refusal;  ///< not empty: why there is no picture
     bool complete = false;
 };
 
+/// Ways of light that are followed to be counted, and the first of them that are drawn.
+inline constexpr std::uint32_t kWaysFollowed = 2000, kWaysDrawn = 120;
+
 /// The eye's strip, W/(m rad); nothing if the scene has no eye.
 std::optional<Sensor> eyeStripOf(const Scene& scene);
+
+/// The light along a wall, W/m.
+Sensor profileOf(std::uint32_t segment);
+
+/// Of all pixels together, what chance still does to them: the root mean square of their standard errors, as
+/// a share of their mean. Nothing if all are black, or there is only one pass.
+std::optional<double> noiseOf(const LightPicture& picture);
 
 /// The picture of a room that reaches from `min` to `max` (m), with a margin, W/m. Its cells are about
 /// square.

@@ -60,6 +60,12 @@ void estimateRows(const Ui& ui, const LightAnswer& answer) {
         "What the run of N samples says arrives at P (irradiance, W/m), plus or minus one standard error of "
         "such a run. "
         "Of a coloured light, the mean of red, green and blue.");
+    if (ui.state.settings.maxDepth > 0 && !printed) {
+        row(ui, "of it direct", shown(gray(answer.estimate.direct)), palette.ink,
+            "Straight from lamps, lights and the sky.");
+        row(ui, "of it indirect", shown(gray(answer.estimate.indirect)), palette.ink,
+            "Scattered by a wall at least once before it arrived.");
+    }
     if (!isGray(E)) row(ui, "E in R, G, B", shown(E), palette.estimate, "The same, colour by colour.");
     if (answer.corrected)
         row(ui, "E corrected", shown(gray(answer.corrected->total())), palette.normal,

@@ -13,6 +13,9 @@ void canvasPanel(const Ui& ui, ImVec2 size);
 /// A row of this height (pixels); its words lie above the strip.
 void eyeStrip(const Ui& ui, float width);
 float eyeStripHeight(const Ui& ui);
+/// What makes the pictures, and what they cost.
+void makersPanel(const Ui& ui);
+void profilePlot(const Ui& ui, ImVec2 size);
 void integrandPlot(const Ui& ui, ImVec2 size);
 void errorPlot(const Ui& ui, ImVec2 size);
 void histogramPlot(const Ui& ui, ImVec2 size);

@@ -30,10 +30,10 @@ std::uint32_t packed(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
            red;
 }
 
-void tone(LightPicture& picture) {
+void tone(LightPicture& picture, double white) {
     const std::vector<Rgb>& means = picture.film.pixels.mean;
-    const double scale = automaticScale(means);
-    picture.white = 1.0 / scale;
+    const double scale = white > 0.0 ? 1.0 / white : 1.0;
+    picture.white = white;
     picture.colors.clear();
     picture.colors.reserve(means.size());
     for (const Rgb& mean : means)
@@ -41,38 +41,81 @@ void tone(LightPicture& picture) {
             packed(srgbByte(scale * mean.x), srgbByte(scale * mean.y), srgbByte(scale * mean.z)));
 }
 
+/// What this picture alone would show as white; 0 if it is black.
+double whiteOf(const LightPicture& picture) {
+    const std::vector<Rgb>& means = picture.film.pixels.mean;
+    const bool black = std::all_of(means.begin(), means.end(), [](const Rgb& c) { return c == Rgb(0.0); });
+    return black ? 0.0 : 1.0 / automaticScale(means);
+}
+
+/// Two pictures side by side show the same light in the same shade.
+void share(std::shared_ptr<const LightPicture>& a, std::shared_ptr<const LightPicture>& b) {
+    if (!a || !b || a->colors.empty() || b->colors.empty()) return;
+    const double white = std::max(whiteOf(*a), whiteOf(*b));
+    for (auto* picture : {&a, &b}) {
+        if ((*picture)->white == white) continue;
+        auto toned = std::make_shared<LightPicture>(**picture);
+        tone(*toned, white);
+        *picture = std::move(toned);
+    }
+}
+
+std::optional<Sensor> sensorOf(View view, const LightQuestion& asked) {
+    const Bounds& bounds = asked.scene->bounds;
+    switch (view) {
+        case View::eye:
+            return eyeStripOf(asked.scene->scene);
+        case View::field:
+            return fieldOf(bounds.min, bounds.max);
+        default:
+            return profileOf(asked.at.segment);
+    }
+}
+
+/// What is asked to make this picture: the first (0) or the second (1) maker.
+std::optional<Maker> makerAsked(const LightQuestion& asked, View view, std::size_t side) {
+    if (!asked.pictures.has(view)) return std::nullopt;
+    if (side == 1) return asked.makers.second;
+    return asked.makers.first ? *asked.makers.first : usualMaker(view);
+}
+
 /// `work` as it must be to answer `asked`: made anew unless it does already. None if cancelled on the way.
-void prepare(std::unique_ptr<PictureWork>& work, const LightQuestion& asked,
-             const std::optional<Sensor>& sensor, const char* estimator, const std::atomic<bool>& cancelled) {
-    if (work && work->answers(asked)) return;
+void prepare(std::unique_ptr<PictureWork>& work, const LightQuestion& asked, View view, const Maker& maker,
+             const std::atomic<bool>& cancelled) {
+    if (work && work->answers(asked, maker)) return;
     work.reset();
+    const std::optional<Sensor> sensor = sensorOf(view, asked);
     if (!sensor) return;
     try {
-        work = std::make_unique<PictureWork>(asked.scene, *sensor, estimator, asked.settings, cancelled);
+        work = std::make_unique<PictureWork>(asked.scene, *sensor, maker, asked.settings, cancelled);
     } catch (const Stopped&) {
     }
 }
 
 }  // namespace
 
-PictureWork::PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sensor, const char* estimator,
+Maker usualMaker(View view) {
+    return makerOf(view == View::field ? "light" : "path");
+}
+
+PictureWork::PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sensor, Maker maker,
                          const Settings& settings, const std::atomic<bool>& cancelled)
     : scene_(std::move(scene)),
       sensor_(std::move(sensor)),
-      maxDepth_(settings.maxDepth),
+      maker_(std::move(maker)),
+      maxDepth_(maker_.depth.value_or(settings.maxDepth)),
       seed_(settings.seed) {
-    const EstimatorInfo& info = *findEstimator(estimator);
+    const EstimatorInfo& info = *findEstimator(maker_.estimator);
     const Problem problem{.index = scene_->index,
                           .sensor = sensor_,
                           .maxDepth = maxDepth_,
                           .seed = seed_,
                           .stop = [&cancelled] { return cancelled.load(std::memory_order_relaxed); }};
-    const ParamValues params = initialValues(info);
     auto picture = std::make_shared<LightPicture>();
     picture->sensor = sensor_;
-    picture->refusal = refusalOf(info, problem, params);
+    picture->refusal = refusalOf(info, problem, maker_.params);
     try {
-        if (picture->refusal.empty()) estimator_ = info.make(problem, params);
+        if (picture->refusal.empty()) estimator_ = info.make(problem, maker_.params);
     } catch (const std::invalid_argument& refused) {
         picture->refusal = refused.what();
     }
@@ -80,8 +123,10 @@ PictureWork::PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sens
     picture_ = std::move(picture);
 }
 
-bool PictureWork::answers(const LightQuestion& question) const {
-    return scene_ == question.scene && maxDepth_ == question.settings.maxDepth &&
+bool PictureWork::answers(const LightQuestion& question, const Maker& maker) const {
+    const auto* profile = std::get_if<Profile>(&sensor_);
+    return maker_ == maker && (!profile || profile->segments.front() == question.at.segment) &&
+           scene_ == question.scene && maxDepth_ == maker.depth.value_or(question.settings.maxDepth) &&
            seed_ == question.settings.seed;
 }
 
@@ -94,35 +139,50 @@ bool PictureWork::addBatch() {
     if (batch.passes < options.passes) return false;
     next->film.merge(batch);
     next->complete = next->film.passes >= kMostPasses || next->film.counts.rays >= kMostRays;
-    tone(*next);
+    if (!std::holds_alternative<Profile>(sensor_)) tone(*next, whiteOf(*next));
     picture_ = std::move(next);
     return true;
 }
 
 void recallPictures(LightAnswer& answer, PictureCache& cache) {
-    const LightQuestion& asked = answer.asked;
-    if (asked.wantsEye && cache.eye && cache.eye->answers(asked)) answer.eye = cache.eye->picture();
-    if (asked.wantsField && cache.field && cache.field->answers(asked)) answer.field = cache.field->picture();
+    for (std::size_t k = 0; k < kPictureViews.size(); ++k) {
+        const View view = kPictureViews[k];
+        for (std::size_t side = 0; side < 2; ++side) {
+            const std::optional<Maker> maker = makerAsked(answer.asked, view, side);
+            const auto& work = cache.works[k][side];
+            auto& shown = (side == 0 ? answer.pictures : answer.against).of(view);
+            if (maker && work && work->answers(answer.asked, *maker)) shown = work->picture();
+        }
+        share(answer.pictures.of(view), answer.against.of(view));
+    }
 }
 
 void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<bool>& cancelled,
-                    const std::function<void()>& publish) {
+                    const std::function<void()>& publish, unsigned turns) {
     const LightQuestion& asked = answer.asked;
-    const Bounds& bounds = asked.scene->bounds;
-    if (asked.wantsEye) prepare(cache.eye, asked, eyeStripOf(asked.scene->scene), "path", cancelled);
-    if (asked.wantsField) prepare(cache.field, asked, fieldOf(bounds.min, bounds.max), "light", cancelled);
-    const auto grow = [&](const std::unique_ptr<PictureWork>& work,
-                          std::shared_ptr<const LightPicture>& shown) {
-        if (!work) return;
-        shown = work->picture();
-        while (!shown->complete && !cancelled) {
-            if (!work->addBatch()) return;
-            shown = work->picture();
-            publish();
-        }
-    };
-    if (asked.wantsEye) grow(cache.eye, answer.eye);
-    if (asked.wantsField) grow(cache.field, answer.field);
+    for (std::size_t k = 0; k < kPictureViews.size(); ++k)
+        for (std::size_t side = 0; side < 2; ++side)
+            if (const std::optional<Maker> maker = makerAsked(asked, kPictureViews[k], side))
+                prepare(cache.works[k][side], asked, kPictureViews[k], *maker, cancelled);
+    recallPictures(answer, cache);  // also what refuses
+    if (asked.pictures.has(View::paths) && !answer.ways) {
+        answer.ways = std::make_shared<const std::vector<LightWay>>(
+            lightWays(asked.scene->index, kWaysFollowed, asked.settings.maxDepth + 1, asked.settings.seed));
+        publish();
+    }
+    for (bool growing = true; growing && turns > 0; --turns) {
+        growing = false;
+        for (std::size_t k = 0; k < kPictureViews.size(); ++k)
+            for (std::size_t side = 0; side < 2; ++side) {
+                PictureWork* work = cache.works[k][side].get();
+                const View view = kPictureViews[k];
+                if (!work || !makerAsked(asked, view, side) || work->picture()->complete) continue;
+                if (cancelled || !work->addBatch()) return;
+                growing = true;
+                recallPictures(answer, cache);
+                publish();
+            }
+    }
 }
 
 }  // namespace halfdisk

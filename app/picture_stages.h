@@ -1,7 +1,8 @@
-// In which order do the eye's strip and the field grow behind the frame? Batch by batch of passes, each one
-// whole.
+// In which order do the pictures grow behind the frame? Batch by batch of passes, each one whole, all
+// pictures in turn.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <functional>
 #include <memory>
@@ -11,17 +12,23 @@
 
 namespace halfdisk {
 
-/// A picture on its way. It does not depend on P or N: it is kept while only those change.
+/// Those that an estimator makes.
+inline constexpr std::array kPictureViews{View::profile, View::eye, View::field};
+
+/// What makes this picture if nothing is said.
+Maker usualMaker(View view);
+
+/// A picture on its way. It is kept while only P (but for the profile's wall) and N change.
 class PictureWork {
  public:
     /// Prepares the estimator; what cannot be done is told by the picture's refusal. `cancelled` outlives it,
     /// and calls off whatever is under way. Throws Stopped if that is set here already.
-    PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sensor, const char* estimator,
+    PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sensor, Maker maker,
                 const Settings& settings, const std::atomic<bool>& cancelled);
     PictureWork(const PictureWork&) = delete;  // the estimator refers to the sensor
     PictureWork& operator=(const PictureWork&) = delete;
 
-    bool answers(const LightQuestion& question) const;
+    bool answers(const LightQuestion& question, const Maker& maker) const;
 
     /// Adds the next batch of passes. False, and nothing is added, if cancelled on the way: the same passes
     /// always give the same bits.
@@ -32,6 +39,7 @@ class PictureWork {
  private:
     std::shared_ptr<const PreparedScene> scene_;
     Sensor sensor_;
+    Maker maker_;
     std::uint32_t maxDepth_;
     std::uint64_t seed_;
     std::unique_ptr<Estimator> estimator_;
@@ -39,14 +47,16 @@ class PictureWork {
 };
 
 struct PictureCache {
-    std::unique_ptr<PictureWork> eye, field;
+    /// By kPictureViews; the first maker's and the second's.
+    std::array<std::array<std::unique_ptr<PictureWork>, 2>, kPictureViews.size()> works;
 };
 
 /// The pictures as far as they are done already, and none that answers another question.
 void recallPictures(LightAnswer& answer, PictureCache& cache);
 
-/// Stage 4: renders what the question wants; calls `publish` after each batch.
+/// Stage 4: renders what the question wants; calls `publish` after each batch. At most `turns` batches of
+/// each.
 void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<bool>& cancelled,
-                    const std::function<void()>& publish);
+                    const std::function<void()>& publish, unsigned turns);
 
 }  // namespace halfdisk

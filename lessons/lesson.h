@@ -11,6 +11,8 @@
 
 #include "core/settings.h"
 #include "lessons/claim.h"
+#include "lessons/goal.h"
+#include "lessons/maker.h"
 #include "lessons/prose.h"
 #include "lessons/scene_description.h"
 #include "lessons/wall_point.h"
@@ -31,13 +33,26 @@ enum class View : std::uint8_t {
     grid,
     damage,
     eye,
-    field
+    field,
+    profile,
+    paths
 };
 
 /// What a step can unlock for the reader's hand.
-enum class Control : std::uint8_t { point, samples, depth, seed, sampler, emitters, defects, step };
+enum class Control : std::uint8_t {
+    point,
+    samples,
+    depth,
+    seed,
+    sampler,
+    emitters,
+    defects,
+    step,
+    estimator,
+    params
+};
 
-inline constexpr std::array<Named<View>, 13> kViews{{
+inline constexpr std::array<Named<View>, 15> kViews{{
     {View::halfdisk, "halfdisk", "the half-disk over P; with rays, also the sample points on its arc"},
     {View::rays, "rays", "the sample rays, coloured by what they bring back"},
     {View::tree, "tree", "the rays of the recursion, fading with depth"},
@@ -51,9 +66,11 @@ inline constexpr std::array<Named<View>, 13> kViews{{
     {View::damage, "damage", "what each defect of the published listing, alone, does to E"},
     {View::eye, "eye", "the strip that the scene's eye sees"},
     {View::field, "field", "the picture of the room: the light that passes every place"},
+    {View::profile, "profile", "the light that arrives along P's wall"},
+    {View::paths, "paths", "ways that light takes from the lamps, wall by wall"},
 }};
 
-inline constexpr std::array<Named<Control>, 8> kControls{{
+inline constexpr std::array<Named<Control>, 10> kControls{{
     {Control::point, "point", "drag P along the walls"},
     {Control::samples, "samples", "the number of samples N"},
     {Control::depth, "depth", "the depth of the recursion"},
@@ -62,6 +79,8 @@ inline constexpr std::array<Named<Control>, 8> kControls{{
     {Control::emitters, "emitters", "how light from emitting walls is counted"},
     {Control::defects, "defects", "the switches of the published listing's defects"},
     {Control::step, "step", "step through the recorded run, forward and back"},
+    {Control::estimator, "estimator", "which estimator makes the pictures"},
+    {Control::params, "params", "the parameters of the estimator that makes the pictures"},
 }};
 
 /// A set of views, bit k = entry k of kViews.
@@ -74,7 +93,17 @@ struct ViewSet {
         bits = static_cast<std::uint16_t>(on ? bits | bit : bits & ~bit);
     }
     constexpr bool operator==(const ViewSet&) const = default;
+    constexpr ViewSet operator&(ViewSet other) const {
+        return {static_cast<std::uint16_t>(bits & other.bits)};
+    }
 };
+
+/// Those that show light elsewhere than at P.
+inline constexpr ViewSet kPictureSet = [] {
+    ViewSet set;
+    for (const View view : {View::eye, View::field, View::profile, View::paths}) set.set(view, true);
+    return set;
+}();
 
 /// Lines of the published listing, counted from 1.
 inline constexpr int kListingLines = 34;
@@ -87,6 +116,7 @@ inline constexpr std::uint64_t kMostLessonDepth = 8;
 struct StepValues {
     Settings settings;
     WallPoint at{0, 0.5};     ///< P, in the expanded scene; initially the middle of the first wall
+    Makers makers;            ///< of the pictures: eye, field and profile
     std::uint32_t event = 0;  ///< position in the recorded run, 0 = its start
     bool operator==(const StepValues&) const = default;
 };
@@ -104,6 +134,7 @@ struct Step {
     ViewSet show;
     std::optional<Control> unlock;
     StepValues values;
+    std::optional<Goal> goal;
     std::optional<Question> question;
     std::vector<Claim> claims;
     bool operator==(const Step&) const = default;

@@ -20,6 +20,13 @@
 //   unlock = "samples"             # one of kControls
 //   [step.set]                     # samples, depth, seed, sampler, emitters, at = "floor:0.25",
 //   samples = 64                   # asPrinted = ["frame", "pdf"] or true, event
+//   estimator = "photon-map"       # what makes the pictures (eye, field, profile), with its own
+//   params = { photons = 20000 }   # parameters; without it what serves each picture best
+//   against = { estimator = "path", params = { ... }, depth = 0 }   # beside it, for comparison
+//   [step.goal]                    # what to reach by trying; the panel tells when it is
+//   says = "Put P where the caustic is brightest."
+//   reach = "profile"              # one of kGoalQuantities
+//   atLeast = 3                    # or atMost
 //   [step.question]
 //   ask = "..."
 //   answer = "..."

@@ -5,6 +5,7 @@
 
 #include "lessons/claim_reader.h"
 #include "lessons/lesson_file.h"
+#include "lessons/maker_reader.h"
 #include "lessons/scene_file.h"
 #include "lessons/step_values_reader.h"
 #include "lessons/table_reader.h"
@@ -99,6 +100,7 @@ class LessonReader {
     void readValues(std::string what, std::string_view key, const TomlValue& value, StepValues& values) {
         TableReader table(file_, readTable(file_, key, value), value.where, std::move(what));
         readSettings(table, scene_, {kMostLessonSamples, kMostLessonDepth}, values.settings, values.at);
+        readMakers(table, values.makers);
         if (const TomlValue* event = table.optional("event"))
             values.event = static_cast<std::uint32_t>(readWhole(file_, "event", *event, {0, kMostEvents}));
         table.finish();
@@ -126,6 +128,7 @@ class LessonReader {
         const TomlValue* show = table.optional("show");
         const TomlValue* unlock = table.optional("unlock");
         const TomlValue* set = table.optional("set");
+        const TomlValue* goal = table.optional("goal");
         const TomlValue* question = table.optional("question");
         const TomlValue* claims = table.optional("claim");
         table.finish();
@@ -138,6 +141,7 @@ class LessonReader {
         if (unlock != nullptr) step.unlock = readUnlock(*unlock);
         step.values = defaults_;
         if (set != nullptr) readValues("[step.set]", "set", *set, step.values);
+        if (goal != nullptr) step.goal = readGoal(*goal);
         if (question != nullptr) step.question = readQuestion(*question);
         if (claims != nullptr)
             for (const TomlValue& claim : listOfTables("claim", *claims, kMostClaims))
@@ -162,6 +166,23 @@ class LessonReader {
             failAt(file_, value.where,
                    "\"unlock\" is an array, expected one control: a step unlocks at most one");
         return readNamed(file_, "unlock", value, kControls);
+    }
+
+    Goal readGoal(const TomlValue& value) const {
+        TableReader table(file_, readTable(file_, "goal", value), value.where, "[step.goal]");
+        const TomlValue* says = table.required("says");
+        const TomlValue* reach = table.required("reach");
+        const TomlValue* atLeast = table.optional("atLeast");
+        const TomlValue* atMost = table.optional("atMost");
+        table.finish();
+        if ((atLeast == nullptr) == (atMost == nullptr))
+            failAt(file_, value.where, "the goal has no number, expected \"atLeast\" or \"atMost\"");
+        constexpr NumberRule kNumberRule{-1e300, 1e300, "a finite number"};
+        const Relation relation = atLeast != nullptr ? Relation::atLeast : Relation::atMost;
+        return {readText(file_, "says", *says, kMeaningRule),
+                readNamed(file_, "reach", *reach, kGoalQuantities), relation,
+                readNumber(file_, nameOf(kRelations, relation), atLeast != nullptr ? *atLeast : *atMost,
+                           kNumberRule)};
     }
 
     Question readQuestion(const TomlValue& value) const {

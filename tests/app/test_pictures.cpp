@@ -36,10 +36,14 @@ fov = 90.0
 }
 
 LightQuestion question(std::uint64_t id, const std::shared_ptr<const PreparedScene>& scene, double t = 0.25) {
-    LightQuestion asked{id, scene, {0, t}, {}};
+    LightQuestion asked;
+    asked.id = id;
+    asked.scene = scene;
+    asked.at = {0, t};
     asked.settings.samples = 4;
     asked.settings.maxDepth = 0;
-    asked.wantsEye = asked.wantsField = true;
+    asked.pictures.set(View::eye, true);
+    asked.pictures.set(View::field, true);
     return asked;
 }
 
@@ -82,8 +86,8 @@ AppState mirrorRoom() {
 TEST_CASE("the field of an open floor is the part of the sky that each place sees") {
     LightJob job;
     const auto answer = answerTo(job, question(1, openFloor()));
-    REQUIRE(answer->field);
-    const LightPicture& picture = *answer->field;
+    REQUIRE(answer->pictures.field);
+    const LightPicture& picture = *answer->pictures.field;
     CHECK(picture.complete);
     CHECK(picture.film.counts.nonFinite == 0);
     const Field& field = std::get<Field>(picture.sensor);
@@ -102,11 +106,11 @@ TEST_CASE("the field of an open floor is the part of the sky that each place see
 TEST_CASE("an eye under an even sky sees it evenly") {
     LightJob job;
     const auto answer = answerTo(job, question(1, openFloor()));
-    REQUIRE(answer->eye);
-    for (const Statistics& pixel : answer->eye->film.pixels)
+    REQUIRE(answer->pictures.eye);
+    for (const Statistics& pixel : answer->pictures.eye->film.pixels)
         CHECK(pixel.mean.x == doctest::Approx(kSky).epsilon(1e-12));
-    CHECK(answer->eye->white == doctest::Approx(kSky).epsilon(1e-12));
-    for (const std::uint32_t color : answer->eye->colors) CHECK(color == 0xffffffffu);
+    CHECK(answer->pictures.eye->white == doctest::Approx(kSky).epsilon(1e-12));
+    for (const std::uint32_t color : answer->pictures.eye->colors) CHECK(color == 0xffffffffu);
 }
 
 TEST_CASE("the same question gives the same pictures to the bit, also after one that was given up") {
@@ -118,7 +122,7 @@ TEST_CASE("the same question gives the same pictures to the bit, also after one 
     second.ask(other);
     second.ask(question(2, scene, 0.75));
     const auto b = answerTo(second, question(3, scene));
-    for (const auto& [one, two] : {std::pair{a->eye, b->eye}, std::pair{a->field, b->field}}) {
+    for (const auto& [one, two] : {std::pair{a->pictures.eye, b->pictures.eye}, std::pair{a->pictures.field, b->pictures.field}}) {
         REQUIRE((one && two));
         CHECK(one->film.passes == two->film.passes);
         CHECK(one->colors == two->colors);
@@ -132,16 +136,16 @@ TEST_CASE("pictures are kept while P moves, and made anew for another seed or de
     LightJob job;
     const auto before = answerTo(job, question(1, scene));
     const auto moved = answerTo(job, question(2, scene, 0.6));
-    CHECK(moved->field == before->field);
-    CHECK(moved->eye == before->eye);
+    CHECK(moved->pictures.field == before->pictures.field);
+    CHECK(moved->pictures.eye == before->pictures.eye);
     LightQuestion asked = question(3, scene);
     asked.settings.seed = 5;
     const auto reseeded = answerTo(job, asked);
-    CHECK(reseeded->field->film.pixels[0].mean != before->field->film.pixels[0].mean);
+    CHECK(reseeded->pictures.field->film.pixels[0].mean != before->pictures.field->film.pixels[0].mean);
     asked.id = 4;
     asked.settings.maxDepth = 1;
     const auto deeper = answerTo(job, asked);
-    CHECK(deeper->field != reseeded->field);
+    CHECK(deeper->pictures.field != reseeded->pictures.field);
     CHECK(deeper->complete);
 }
 
@@ -149,23 +153,23 @@ TEST_CASE("below the glass disk castRay and the eye find exactly nothing, and th
     Rig rig(openLesson(courseLessons(), LessonRef{"caustic", 3}));
     const LightAnswer& answer = *rig.state().answer;
     CHECK(answer.estimate.total() == Rgb(0.0));
-    REQUIRE((answer.eye && answer.field));
+    REQUIRE((answer.pictures.eye && answer.pictures.field));
     const auto cellAt = [&](Vec2 p) {
-        const Field& field = std::get<Field>(answer.field->sensor);
+        const Field& field = std::get<Field>(answer.pictures.field->sensor);
         const Vec2 place = (p - field.min) / (field.max - field.min) * Vec2(field.width, field.height);
         const auto row = field.height - 1 - static_cast<std::uint32_t>(place.y);
-        return answer.field->film.pixels[row * field.width + static_cast<std::uint32_t>(place.x)].mean.x;
+        return answer.pictures.field->film.pixels[row * field.width + static_cast<std::uint32_t>(place.x)].mean.x;
     };
     constexpr double kSun = 1.0;  // W/m, of the scene
     CHECK(cellAt({0.0, 0.1}) > 2.0 * kSun);
     CHECK(cellAt({0.8, 0.1}) < 0.5 * kSun);
     // What the eye sees of the floor, in the disk's shadow (its radius is 1) and far to the side of it.
-    const EyeStrip& strip = std::get<EyeStrip>(answer.eye->sensor);
+    const EyeStrip& strip = std::get<EyeStrip>(answer.pictures.eye->sensor);
     const auto radianceFrom = [&](Vec2 p) {
-        const Receiver receiver = *fixedReceiver(answer.eye->sensor, rig.state().scene->index);
+        const Receiver receiver = *fixedReceiver(answer.pictures.eye->sensor, rig.state().scene->index);
         const Response response = responseTo(receiver, glm::normalize(p - strip.eye.position));
         REQUIRE(response.weight > 0.0);
-        return answer.eye->film.pixels[response.pixel].mean.x;
+        return answer.pictures.eye->film.pixels[response.pixel].mean.x;
     };
     CHECK(radianceFrom({-0.7, 0.0}) == 0.0);
     CHECK(radianceFrom({-2.0, 0.0}) == doctest::Approx(0.5 * kSun / 2.0).epsilon(1e-9));
@@ -174,10 +178,10 @@ TEST_CASE("below the glass disk castRay and the eye find exactly nothing, and th
 TEST_CASE("without the wish for them there are no pictures") {
     LightJob job;
     LightQuestion asked = question(1, openFloor());
-    asked.wantsEye = asked.wantsField = false;
+    asked.pictures = {};
     const auto answer = answerTo(job, asked);
-    CHECK(answer->eye == nullptr);
-    CHECK(answer->field == nullptr);
+    CHECK(answer->pictures.eye == nullptr);
+    CHECK(answer->pictures.field == nullptr);
     CHECK(answer->complete);
 }
 
@@ -186,16 +190,16 @@ TEST_CASE("a scene without light has a black field, and one without an eye no st
         "title = \"Dark\"\n[[segment]]\nname = \"wall\"\na = [0.0, 0.0]\nb = [1.0, 1.0]\n", "dark.toml"));
     LightJob job;
     const auto answer = answerTo(job, question(1, dark));
-    CHECK(answer->eye == nullptr);
-    REQUIRE(answer->field);
+    CHECK(answer->pictures.eye == nullptr);
+    REQUIRE(answer->pictures.field);
     CHECK(answer->complete);
-    for (const Statistics& cell : answer->field->film.pixels) CHECK(cell.mean == Rgb(0.0));
+    for (const Statistics& cell : answer->pictures.field->film.pixels) CHECK(cell.mean == Rgb(0.0));
 }
 
 TEST_CASE("the end of the program does not wait for a picture") {
     auto job = std::make_unique<LightJob>();
     job->ask(question(1, openFloor()));
-    while (!job->latest() || !job->latest()->eye) std::this_thread::yield();
+    while (!job->latest() || !job->latest()->pictures.eye) std::this_thread::yield();
     const auto start = std::chrono::steady_clock::now();
     job.reset();
     CHECK(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < 1.0);
@@ -203,12 +207,12 @@ TEST_CASE("the end of the program does not wait for a picture") {
 
 TEST_CASE("the switches turn the pictures on, and off again") {
     Rig rig(mirrorRoom());
-    CHECK(rig.state().answer->field == nullptr);
+    CHECK(rig.state().answer->pictures.field == nullptr);
     const float before = rig.canvas().height();
     rig.driver.click("Controls/Eye");
     rig.driver.click("Controls/Field");
     rig.settle();
-    REQUIRE((rig.state().answer->eye && rig.state().answer->field));
+    REQUIRE((rig.state().answer->pictures.eye && rig.state().answer->pictures.field));
     CHECK(showsText(rig, "fluence 0"));
     CHECK(showsText(rig, "What the eye sees"));
     const Rect strip = rig.driver.get("Stage/eye strip").rect;
@@ -226,7 +230,7 @@ TEST_CASE("a pixel of the strip under the pointer is the one that lights up, and
     apply(state, SetView{View::eye, true});
     Rig rig(std::move(state));
     const Rect strip = rig.driver.get("Stage/eye strip").rect;
-    const auto pixels = static_cast<float>(rig.state().answer->eye->colors.size());
+    const auto pixels = static_cast<float>(rig.state().answer->pictures.eye->colors.size());
     for (const float pixel : {0.0f, 17.0f, 128.0f, pixels - 1.0f}) {
         rig.driver.moveTo(strip.left + (pixel + 0.5f) / pixels * strip.width(), strip.bottom - 10);
         rig.driver.frames(2);
@@ -251,5 +255,5 @@ TEST_CASE("switching a picture on keeps the place in the recorded run") {
     rig.settle();
     CHECK(rig.state().playback.event == 7);
     CHECK(rig.state().playback.stepping);
-    CHECK(rig.state().answer->field != nullptr);
+    CHECK(rig.state().answer->pictures.field != nullptr);
 }

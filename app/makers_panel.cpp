@@ -1,0 +1,154 @@
+// What makes the pictures? The estimator and its parameters, from the registry's own table; and what each
+// picture cost.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/draw_text.h"
+#include "app/panels.h"
+#include "app/picture_stages.h"
+#include "lessons/maker_reader.h"
+
+namespace halfdisk {
+namespace {
+
+/// The picture that the numbers are about: the largest one that is shown.
+std::optional<View> mainView(const AppState& state) {
+    for (const View view : {View::field, View::eye, View::profile})
+        if (state.shows(view)) return view;
+    return std::nullopt;
+}
+
+bool chooseEstimator(const Ui& ui, const char* label, std::string& id) {
+    std::vector<std::string_view> names;
+    int index = 0;
+    for (const EstimatorInfo* info : estimators()) {
+        if (info->id == id) index = static_cast<int>(names.size());
+        names.push_back(info->id);
+    }
+    const bool changed = combo(ui.widgets, label, index, names);
+    tooltip(estimators()[static_cast<std::size_t>(index)]->meaning);
+    if (changed) id = estimators()[static_cast<std::size_t>(index)]->id;
+    return changed;
+}
+
+bool editParam(const Ui& ui, const ParamInfo& param, double& value) {
+    const std::string label(param.name);
+    bool changed = false;
+    if (!param.choices.empty()) {
+        int index = static_cast<int>(value);
+        changed = combo(ui.widgets, label.c_str(), index, {param.choices.data(), param.choices.size()});
+        value = index;
+    } else if (param.whole) {
+        auto whole = static_cast<std::int64_t>(value);
+        const float speed = static_cast<float>(std::max(0.05, 0.01 * std::abs(value)));
+        changed = dragNumber<std::int64_t>(ui.widgets, label.c_str(), whole,
+                                           {static_cast<std::int64_t>(param.least),
+                                            static_cast<std::int64_t>(param.most), speed, nullptr, false});
+        value = static_cast<double>(whole);
+    } else {
+        const float speed = static_cast<float>(std::max(1e-4, 0.01 * std::abs(value)));
+        changed = dragNumber<double>(ui.widgets, label.c_str(), value,
+                                     {param.least, param.most, speed, "%.4g", false});
+    }
+    const std::string unit = param.unit.empty() ? "" : fmt::format(" ({})", param.unit);
+    tooltip(fmt::format("{}{}: {}", param.meaning, unit, paramRange(param)));
+    return changed;
+}
+
+/// `1.2 million rays, noise 3.4 %`.
+void costLine(const Ui& ui, const std::shared_ptr<const LightPicture>& picture) {
+    if (!picture) return;
+    if (!picture->refusal.empty()) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.error);
+        textWrapped(ui.widgets, picture->refusal);
+        ImGui::PopStyleColor();
+        return;
+    }
+    const double rays = static_cast<double>(picture->film.counts.rays);
+    std::string words = fmt::format("{:.2g} million rays", rays / 1e6);
+    if (const std::optional<double> noise = noiseOf(*picture))
+        words += fmt::format(", noise {:.2g} %", 100.0 * *noise);
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
+    textWrapped(ui.widgets, words);
+    ImGui::PopStyleColor();
+    tooltip(
+        "Noise: the root mean square standard error of the pixels, as a share of their mean. Light that an "
+        "estimator cannot find at all does not show in it.");
+    if (picture->film.counts.nonFinite == 0) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.error);
+    textWrapped(ui.widgets,
+                fmt::format("{} values were not finite and left out", picture->film.counts.nonFinite));
+    ImGui::PopStyleColor();
+}
+
+void censusLine(const Ui& ui) {
+    const AppState& state = ui.state;
+    if (!state.shows(View::paths) || !state.answer || !state.answer->ways) return;
+    const std::vector<LightWay>& ways = *state.answer->ways;
+    std::string words = fmt::format("{} paths of light followed", ways.size());
+    if (const std::optional<Eye>& eye = state.scene->scene.eye) {
+        constexpr double kPupil = 0.01;  // m
+        words +=
+            fmt::format(", {} through a pupil of 2 cm at the eye", countPassing(ways, eye->position, kPupil));
+    }
+    textWrapped(ui.widgets, words);
+    tooltip(fmt::format("The first {} of them are drawn.", std::min<std::size_t>(kWaysDrawn, ways.size())));
+}
+
+}  // namespace
+
+void makersPanel(const Ui& ui) {
+    const AppState& state = ui.state;
+    censusLine(ui);
+    const std::optional<View> view = mainView(state);
+    if (!view) return;
+    Makers makers = state.makers;
+    Maker first = makers.first ? *makers.first : usualMaker(*view);
+    float labels = textSize("estimator").x;
+    if (state.isUnlocked(Control::params))
+        for (const ParamInfo& param : findEstimator(first.estimator)->params)
+            labels = std::max(labels, textSize(param.name).x);
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - labels -
+                         2 * ImGui::GetStyle().ItemInnerSpacing.x);
+    const bool both = makers.second.has_value();
+    bool changed = false;
+    ImGui::BeginDisabled(!state.isUnlocked(Control::estimator));
+    if (chooseEstimator(ui, both ? "A" : "estimator", first.estimator)) {
+        first = makerOf(first.estimator);
+        changed = true;
+    }
+    ImGui::EndDisabled();
+    ImGui::BeginDisabled(!state.isUnlocked(Control::params));
+    const EstimatorInfo& info = *findEstimator(first.estimator);
+    if (state.isUnlocked(Control::params))
+        for (std::size_t i = 0; i < info.params.size(); ++i)
+            changed = editParam(ui, info.params[i], first.params[i]) || changed;
+    ImGui::EndDisabled();
+    if (state.answer) costLine(ui, state.answer->pictures.of(*view));
+    if (both) {
+        ImGui::BeginDisabled(!state.isUnlocked(Control::estimator));
+        if (chooseEstimator(ui, "B", makers.second->estimator)) {
+            makers.second = makerOf(makers.second->estimator);
+            changed = true;
+        }
+        ImGui::EndDisabled();
+        if (state.answer) costLine(ui, state.answer->against.of(*view));
+    }
+    ImGui::PopItemWidth();
+    if (changed) makers.first = first;
+    if (state.isUnlocked(Control::estimator)) {
+        bool compare = both;
+        if (toggle(ui.widgets, "Compare", compare)) {
+            makers.first = first;
+            makers.second = compare ? std::optional(usualMaker(*view)) : std::nullopt;
+        }
+        tooltip(
+            "A second estimator beside the first: fields left and right, strips below each other, profiles "
+            "in one plot");
+    }
+    if (!(makers == state.makers)) ui.commands.push_back(SetMakers{makers});
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,117 @@
+// How much light arrives along P's wall? A curve for each maker, with what chance still does to it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/draw_text.h"
+#include "app/panels.h"
+#include "app/picture_stages.h"
+#include "app/plot.h"
+
+namespace halfdisk {
+namespace {
+
+struct Curve {
+    const LightPicture* picture;
+    std::string title;
+    ImU32 color;
+};
+
+/// Those that have something to show.
+std::vector<Curve> curvesOf(const Ui& ui) {
+    std::vector<Curve> curves;
+    if (!ui.state.answer) return curves;
+    const LightAnswer& answer = *ui.state.answer;
+    const Maker first = answer.asked.makers.first.value_or(usualMaker(View::profile));
+    const Maker* second = answer.asked.makers.second ? &*answer.asked.makers.second : nullptr;
+    const auto add = [&](const auto& picture, const Maker& maker, const Maker* other, ImU32 color) {
+        if (picture && picture->film.passes > 0)
+            curves.push_back({picture.get(), titleOf(maker, other), color});
+    };
+    add(answer.pictures.profile, first, second, ui.palette.estimate);
+    if (second) add(answer.against.profile, *second, &first, ui.palette.exact);
+    return curves;
+}
+
+std::string whyEmpty(const AppState& state) {
+    if (state.answer)
+        for (const auto* picture : {&state.answer->pictures.profile, &state.answer->against.profile})
+            if (*picture && !(*picture)->refusal.empty()) return (*picture)->refusal;
+    return "being computed";
+}
+
+/// A little above nearly all of the light, so that one wild bin does not flatten the rest.
+double topOf(const std::vector<Curve>& curves) {
+    double top = 0.0;
+    for (const Curve& curve : curves) {
+        std::vector<double> values;
+        for (const Rgb& mean : curve.picture->film.pixels.mean) values.push_back(gray(mean));
+        std::sort(values.begin(), values.end());
+        const double most = values.back(), usual = values[values.size() - 1 - values.size() / 32];
+        top = std::max(top, most < 3.0 * usual ? most : std::max(usual, most / 3.0));
+    }
+    return top > 0.0 ? 1.35 * top : 1.0;
+}
+
+/// One step a bin, with a band of one standard error on both sides.
+void drawCurve(const Plot& plot, const Curve& curve, double length, float scale) {
+    const PixelStatistics& bins = curve.picture->film.pixels;
+    const double width = length / static_cast<double>(bins.size());
+    std::vector<ImVec2> steps;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.PushClipRect(plot.area.min, plot.area.max, true);
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+        const Statistics bin = bins[i];
+        const double from = width * static_cast<double>(i), value = gray(bin.mean),
+                     error = gray(bin.standardError());
+        list.AddRectFilled(plot.at(from, value + error), plot.at(from + width, value - error),
+                           withOpacity(curve.color, 0.25f));
+        steps.push_back(plot.at(from, value));
+        steps.push_back(plot.at(from + width, value));
+    }
+    list.PopClipRect();
+    plotLine(plot, steps, curve.color, 2 * scale);
+}
+
+}  // namespace
+
+void profilePlot(const Ui& ui, ImVec2 size) {
+    const AppState& state = ui.state;
+    const std::string title =
+        fmt::format("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
+    const std::vector<Curve> curves = curvesOf(ui);
+    const double length = state.scene->index.length(state.at.segment);
+    const PlotAxis along{0.0, length, false, "place on the wall, m", 0.0};
+    if (curves.empty()) {
+        const Plot plot = beginPlot(ui, "profile", title.c_str(), size, along, {});
+        drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, (plot.area.min.y + plot.area.max.y) / 2},
+                 ui.palette.inkSoft, whyEmpty(state), Align::middle);
+        return;
+    }
+    const Plot plot = beginPlot(ui, "profile", title.c_str(), size, along,
+                                {0.0, topOf(curves), false, "irradiance E, W/m", 0.0});
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const float at = plot.at(state.at.t * length, 0.0).x;
+    list.AddLine({at, plot.area.min.y}, {at, plot.area.max.y}, withOpacity(ui.palette.point, 0.5f),
+                 1.5f * ui.scale);
+    drawText(ui, {at + 3 * ui.scale, plot.area.max.y - ImGui::GetFontSize() - 2 * ui.scale},
+             ui.palette.estimate, "P");
+    int row = 0;
+    for (auto curve = curves.rbegin(); curve != curves.rend(); ++curve)
+        drawCurve(plot, *curve, length, ui.scale);
+    for (const Curve& curve : curves) plotKey(ui, plot, row++, curve.color, curve.title.c_str());
+    if (!plot.hovered()) return;
+    const double place = plot.xAt(ImGui::GetIO().MousePos.x);
+    std::string words = fmt::format("{:.3g} m along the wall", place);
+    for (const Curve& curve : curves) {
+        const PixelStatistics& bins = curve.picture->film.pixels;
+        const double share = std::clamp(place / length, 0.0, 0.999999);
+        const Statistics bin = bins[static_cast<std::size_t>(share * static_cast<double>(bins.size()))];
+        words += fmt::format("\nE = {} \u00b1 {:.1g} W/m  {}", shown(bin.mean), gray(bin.standardError()),
+                             curve.title);
+    }
+    tooltip(words);
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,32 @@
+// What makes a step's pictures? An estimator with values of its parameters, and perhaps another beside it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/estimators.h"
+
+namespace halfdisk {
+
+struct Maker {
+    std::string estimator;                 ///< one that findEstimator knows
+    ParamValues params;                    ///< all of its table's
+    std::optional<std::uint32_t> depth{};  ///< instead of the step's own maxDepth
+    bool operator==(const Maker&) const = default;
+};
+
+/// An estimator with its table's own values.
+inline Maker makerOf(std::string_view estimator) {
+    return {std::string(estimator), initialValues(*findEstimator(estimator)), std::nullopt};
+}
+
+/// `Photon mapping, radius 0.05`: what tells it from another one beside it (may be null), if anything.
+std::string titleOf(const Maker& maker, const Maker* other);
+
+struct Makers {
+    std::optional<Maker> first;   ///< none: what serves each picture best
+    std::optional<Maker> second;  ///< beside it, for comparison; none: nothing
+    bool operator==(const Makers&) const = default;
+};
+
+}  // namespace halfdisk

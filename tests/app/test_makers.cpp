@@ -1,0 +1,148 @@
+// Do two estimators stand side by side as promised, and does a goal tell when it is reached?
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "app/goal_check.h"
+#include "app/picture_stages.h"
+#include "rig.h"
+
+using namespace halfdisk;
+
+namespace {
+
+constexpr const char* kEstimatorStep = "controls:9";
+constexpr const char* kParamsStep = "controls:10";
+
+bool showsText(const Rig& rig, std::string_view words) {
+    for (const Widget& widget : rig.session.widgets.widgets)
+        if (widget.kind == WidgetKind::text && widget.name.find(words) != std::string::npos) return true;
+    return false;
+}
+
+const LightPicture& profile(const Rig& rig, bool second = false) {
+    return *(second ? rig.state().answer->against : rig.state().answer->pictures).profile;
+}
+
+}  // namespace
+
+TEST_CASE("choosing an estimator makes the pictures anew, and only them") {
+    Rig rig(kEstimatorStep);
+    const auto record = rig.state().answer->record;
+    REQUIRE(rig.state().answer->pictures.profile);
+    CHECK_FALSE(rig.state().makers.first.has_value());
+    rig.driver.click("Controls/estimator");
+    rig.driver.frames(2);
+    rig.driver.click("Controls/estimator/radiosity");
+    rig.settle();
+    REQUIRE(rig.state().makers.first.has_value());
+    CHECK(rig.state().makers.first->estimator == "radiosity");
+    CHECK(rig.state().answer->asked.makers == rig.state().makers);
+    CHECK(rig.state().playback.event == 0);
+    CHECK(showsText(rig, "Radiosity"));
+}
+
+TEST_CASE("Compare puts a second one beside it, with the same white; again, and it is gone") {
+    Rig rig(kEstimatorStep);
+    CHECK(rig.state().answer->against.field == nullptr);
+    rig.driver.click("Controls/Compare");
+    rig.settle();
+    REQUIRE((rig.state().answer->against.field && rig.state().answer->against.profile));
+    CHECK(rig.state().answer->against.field->white == rig.state().answer->pictures.field->white);
+    CHECK(showsText(rig, "A: "));
+    CHECK(showsText(rig, "B: "));
+    rig.driver.click("Controls/Compare");
+    rig.settle();
+    CHECK(rig.state().answer->against.field == nullptr);
+    CHECK_FALSE(rig.state().makers.second.has_value());
+}
+
+TEST_CASE("the line between two fields is dragged, within the canvas") {
+    Rig rig(kParamsStep);
+    const CanvasRect canvas = rig.canvas();
+    const float middle = canvas.min.x + 0.5f * canvas.width();
+    const auto drag = [&](float from, float to) {
+        rig.driver.moveTo(from, canvas.min.y + 100);
+        rig.driver.press();
+        rig.driver.moveTo((from + to) / 2, canvas.min.y + 100);
+        rig.driver.moveTo(to, canvas.min.y + 100);
+        rig.driver.release();
+        rig.driver.frames(2);
+    };
+    drag(middle, middle + 60);
+    CHECK(rig.state().split == doctest::Approx(0.5f + 60 / canvas.width()).epsilon(0.02));
+    CHECK(rig.state().fitCamera);
+    drag(middle + 60, canvas.max.x + 500);
+    CHECK(rig.state().split == 1.0f);
+    rig.apply(ResetStep{});
+    CHECK(rig.state().split == 0.5f);
+}
+
+TEST_CASE("a second maker may have a depth of its own") {
+    Rig rig(kParamsStep);
+    REQUIRE(rig.state().makers.second);
+    CHECK(rig.state().makers.second->depth == 0);
+    double first = 0.0, second = 0.0;
+    for (const Rgb& bin : profile(rig).film.pixels.mean) first += bin.x;
+    for (const Rgb& bin : profile(rig, true).film.pixels.mean) second += bin.x;
+    CHECK(first > 1.02 * second);  // what the walls scatter
+    rig.settings().maxDepth = 0;
+    ++rig.session.state.questionId;
+    rig.settle();
+    const PixelStatistics &light = profile(rig).film.pixels, &path = profile(rig, true).film.pixels;
+    int off = 0;
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        const double error = std::hypot(light[i].standardError().x, path[i].standardError().x);
+        if (std::abs(light.mean[i].x - path.mean[i].x) > 4.0 * error) ++off;
+    }
+    CHECK(off <= 1);  // of 96 bins; one in 16 000 by chance each
+}
+
+TEST_CASE("parameters are typed within their range, and change the pictures") {
+    Rig rig(kParamsStep);
+    rig.driver.typeNumber("Controls/paths", "5000");
+    CHECK(rig.state().makers.first->params[0] == 5000);
+    rig.driver.typeNumber("Controls/paths", "-3");
+    CHECK(rig.state().makers.first->params[0] == 0);
+    CHECK(rig.state().makers.second.has_value());
+    rig.settle();
+    CHECK(rig.state().answer->asked.makers == rig.state().makers);
+}
+
+TEST_CASE("a profile follows P to another wall, and stays while P moves along its own") {
+    Rig rig(kEstimatorStep);
+    const auto before = rig.state().answer->pictures.profile;
+    rig.apply(MovePoint{{rig.state().at.segment, 0.9}});
+    rig.settle();
+    CHECK(rig.state().answer->pictures.profile == before);
+    rig.apply(MovePoint{{rig.state().at.segment + 1, 0.5}});
+    rig.settle();
+    CHECK(std::get<Profile>(profile(rig).sensor).segments ==
+          std::vector<std::uint32_t>{rig.state().at.segment});
+}
+
+TEST_CASE("a goal is reached when its number is, and not by an older answer") {
+    Rig rig(kParamsStep);
+    const Goal goal = *rig.state().currentStep()->goal;
+    const auto value = valueOf(goal, rig.state());
+    REQUIRE(value.has_value());
+    CHECK(isReached(goal, *value));
+    CHECK(showsText(rig, "Reached!"));
+    ++rig.session.state.questionId;
+    CHECK_FALSE(valueOf(goal, rig.state()).has_value());
+    for (const Named<GoalQuantity>& quantity : kGoalQuantities) {
+        rig.settle();
+        const auto found = valueOf({"", quantity.value, Relation::atLeast, 0.0}, rig.state());
+        REQUIRE_MESSAGE(found.has_value(), quantity.name);
+        CHECK(*found > 0.0);
+        CHECK_FALSE(isReached({"", quantity.value, Relation::atMost, 0.5 * *found}, *found));
+        CHECK(isReached({"", quantity.value, Relation::atMost, 2.0 * *found}, *found));
+    }
+}
+
+TEST_CASE("ways of light are drawn and counted") {
+    Rig rig(kParamsStep);
+    REQUIRE(rig.state().answer->ways);
+    CHECK(rig.state().answer->ways->size() == kWaysFollowed);
+    CHECK(showsText(rig, "2000 paths of light followed"));
+}

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/camera.h"
+#include "app/editing.h"
 #include "app/light_answer.h"
 #include "lessons/lesson_list.h"
 
@@ -23,7 +24,7 @@ struct Playback {
 };
 
 /// What the pointer holds on the canvas.
-enum class Grip : std::uint8_t { none, point, canvas, split };
+enum class Grip : std::uint8_t { none, point, canvas, split, edit };
 
 /// Which column a small screen shows; a large one shows all three.
 enum class Pane : std::uint8_t { lesson, stage, controls };
@@ -44,6 +45,8 @@ struct AppState {
     ViewSet show;
     Makers makers;  ///< of the pictures
     bool unlockAll = false;
+
+    Editing editing;
 
     // the screen
     Camera camera;

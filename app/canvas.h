@@ -26,6 +26,13 @@ void drawGrid(const Canvas& canvas);
 void drawField(const Canvas& canvas);
 bool fieldIsSeen(const Canvas& canvas);
 void drawWays(const Canvas& canvas);
+
+/// A button goes down at a place (m) while the scene is being changed; then it moves.
+void beginEdit(const Canvas& canvas, Vec2 place);
+void continueEdit(const Canvas& canvas, Vec2 place);
+/// What is selected, and its handles.
+void drawEditing(const Canvas& canvas);
+
 void drawSplit(const Canvas& canvas);
 /// Two fields side by side, the second right of a line that can be dragged.
 bool hasSplit(const AppState& state);

@@ -69,7 +69,10 @@ void drawOneField(const Canvas& canvas, const LightPicture& picture) {
 /// Who made a half, at its upper end.
 void drawHalfTitle(const Canvas& canvas, std::string_view title, const char* side, float x, Align align) {
     const Ui& ui = canvas.ui;
-    const std::string words = fmt::format("{}: {}", side, title);
+    const float room = align == Align::right ? x - canvas.rect.min.x : canvas.rect.max.x - x;
+    const std::string words =
+        firstThatFits({fmt::format("{}: {}", side, title), side, ""}, room - canvas.px(8), ui.fonts.strong);
+    if (words.empty()) return;
     const ImVec2 size = textSize(words, ui.fonts.strong);
     const float y = canvas.rect.min.y + ImGui::GetFrameHeight() + canvas.px(16);
     const float left = align == Align::right ? x - size.x : x;

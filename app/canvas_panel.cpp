@@ -44,6 +44,9 @@ void interact(const Canvas& canvas, bool hovered, bool active) {
         if (ui.state.grip != Grip::none) ui.commands.push_back(SetGrip{Grip::none});
         return;
     }
+    const Vec2 place = toWorld(canvas.camera, canvas.rect, io.MousePos);
+    if (ui.state.grip == Grip::none && ui.state.editing.on && ImGui::IsMouseDown(0) && !overPoint)
+        return beginEdit(canvas, place);
     if (ui.state.grip == Grip::none) {
         const bool left = ImGui::IsMouseDown(0);
         ui.commands.push_back(SetGrip{left && overPoint && movable ? Grip::point
@@ -52,6 +55,7 @@ void interact(const Canvas& canvas, bool hovered, bool active) {
         return;
     }
     if (io.MouseDelta.x == 0.0f && io.MouseDelta.y == 0.0f) return;
+    if (ui.state.grip == Grip::edit) continueEdit(canvas, place);
     if (ui.state.grip == Grip::split)
         ui.commands.push_back(SetSplit{(io.MousePos.x - canvas.rect.min.x) / canvas.rect.width()});
     if (ui.state.grip == Grip::canvas) ui.commands.push_back(SetCamera{panned(canvas.camera, io.MouseDelta)});
@@ -65,13 +69,18 @@ void cornerButtons(const Canvas& canvas) {
     const Ui& ui = canvas.ui;
     const float spacing = ImGui::GetStyle().ItemSpacing.x, padding = 2 * ImGui::GetStyle().FramePadding.x;
     float width = 0.0f;
-    for (const char* label : {"Fit", "Grid", "A-", "A+", "?"}) width += textSize(label).x + padding + spacing;
+    for (const char* label : {"Edit", "Fit", "Grid", "A-", "A+", "?"})
+        width += textSize(label).x + padding + spacing;
     const float left = std::max(canvas.rect.min.x, canvas.rect.max.x - width - canvas.px(2));
     const ImVec2 corner{left, canvas.rect.min.y + canvas.px(6)};
     canvas.list.AddRectFilled({corner.x - canvas.px(6), canvas.rect.min.y},
                               {canvas.rect.max.x, corner.y + ImGui::GetFrameHeight() + canvas.px(6)},
                               ui.palette.background);
     ImGui::SetCursorScreenPos(corner);
+    bool editing = ui.state.editing.on;
+    if (toggle(ui.widgets, "Edit", editing)) ui.commands.push_back(SetEditing{editing});
+    tooltip("change the scene: add, move and delete walls, lights and the eye (X)");
+    sameLineIfFits("Fit");
     if (button(ui.widgets, "Fit")) ui.commands.push_back(FitCamera{});
     tooltip("show the whole scene (F)");
     sameLineIfFits("Grid");
@@ -132,6 +141,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     drawLights(canvas);
     drawEye(canvas);
     drawGaze(canvas);
+    drawEditing(canvas);
     drawPoint(canvas, P, N);
     drawCurrentStep(canvas);
     drawSplit(canvas);

@@ -8,9 +8,12 @@
 
 #include "app/cli_probe_passes.h"
 #include "app/estimator_arguments.h"
+#include "core/reference.h"
 
 namespace halfdisk {
 namespace {
+
+constexpr std::uint32_t kDeepestReference = 8;
 
 double grey(const Rgb& colour) {
     return (colour.x + colour.y + colour.z) / 3.0;
@@ -29,8 +32,7 @@ ProbePlace placeOf(const SegmentIndex& index, const Trial& trial) {
     ProbePlace place;
     place.shaded = shadedPointOn(index, trial.at.segment, trial.at.t);
     place.at = place.shaded.P;
-    const Segment& wall = index.scene().segments[trial.at.segment];
-    place.radiance = std::holds_alternative<Diffuse>(index.material(trial.at.segment)) && !isSmooth(wall);
+    place.radiance = isMatt(index, trial.at.segment);
     return place;
 }
 
@@ -82,7 +84,13 @@ Rgb exactOf(const SegmentIndex& index, const Trial& trial) {
     Settings settings = trial.settings;
     settings.defects = {};  // which are what the exact value is to tell
     if (const auto exact = exactIrradiance(index.scene(), settings, at)) return *exact;
-    throw InputError("the exact E is not known here: matt scenes of up to 60 walls have one, up to depth 1");
+    const bool fewWalls = index.scene().segments.size() <= Reference::kMostWallsDeep;
+    if (settings.maxDepth <= kDeepestReference && fewWalls && traitsOf(index.scene()).diffuseOnly)
+        return Reference(index, settings.maxDepth).irradiance(at, settings.maxDepth);
+    throw InputError(fmt::format(
+        "the exact E is not known here: matt scenes of up to 60 walls have one up to depth 1, of up to "
+        "{} up to depth {}",
+        Reference::kMostWallsDeep, kDeepestReference));
 }
 
 template <class Value>

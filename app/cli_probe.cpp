@@ -44,12 +44,6 @@ std::optional<ShadedPoint> frontAsked(const SegmentIndex& index, const std::stri
     return shadedPointOn(index, point.segment, point.t);
 }
 
-/// Whether L = Le + albedo / 2 E holds there.
-bool isMatt(const SegmentIndex& index, std::uint32_t segment) {
-    return std::holds_alternative<Diffuse>(index.material(segment)) &&
-           !isSmooth(index.scene().segments[segment]);
-}
-
 /// Each repeat once more by itself: their sum is not kept apart.
 std::vector<Rgb> valuesOfRepeats(const SegmentIndex& index, const ProbeQuestion& question,
                                  const ShadedPoint& at) {
@@ -73,6 +67,11 @@ MeasuredRgb radianceOf(const SegmentIndex& index, const ShadedPoint& at, const M
 }
 
 }  // namespace
+
+bool isMatt(const SegmentIndex& index, std::uint32_t segment) {
+    return std::holds_alternative<Diffuse>(index.material(segment)) &&
+           !isSmooth(index.scene().segments[segment]);
+}
 
 void refuseTooManyRays(const SegmentIndex& index, const ProbeQuestion& question) {
     const double rays = raysPerRepeat(index, question.settings) * static_cast<double>(question.repeats);

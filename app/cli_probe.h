@@ -103,6 +103,9 @@ void refuseTooManyRays(const SegmentIndex& index, const ProbeQuestion& question)
 /// Throws InputError for more than kMostProbeRays rays, unless `anyway`.
 ProbeAnswer probe(const SegmentIndex& index, const ProbeQuestion& question, const ProbePlace& place);
 
+/// Whether a wall is matt and flat, so that L = Le + albedo / 2 E holds there.
+bool isMatt(const SegmentIndex& index, std::uint32_t segment);
+
 /// Exact E (W/m) by quadrature: for matt scenes of up to 60 walls, depths up to 1, and no defect switched on.
 std::optional<Rgb> exactIrradiance(const Scene& scene, const Settings& settings, const ShadedPoint& at);
 

@@ -96,7 +96,8 @@ int runVerify(const VerifyTexts& texts, const std::filesystem::path& folder) {
     if (texts.json) {
         writeJson(Json{{"claims", tally.claims}, {"held", tally.held}, {"failed", tally.failed}});
     } else {
-        writeOutput(fmt::format("{} claims, {} of them true\n", tally.held + tally.failed, tally.held));
+        const std::size_t claims = tally.held + tally.failed;
+        writeOutput(fmt::format("{} claim{}, {} of them true\n", claims, claims == 1 ? "" : "s", tally.held));
     }
     return tally.failed == 0 ? kExitSuccess : kExitFailure;
 }

@@ -1,8 +1,11 @@
 #include "app/commands.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
+#include "app/edit_commands.h"
 #include "core/overload.h"
 #include "lessons/lesson_file.h"
 
@@ -15,8 +18,12 @@ void askAnew(AppState& state) {
     state.playback.event = 0;
 }
 
+void showScene(AppState& state, SceneDescription description, const std::filesystem::path& file);
+
 void enterStep(AppState& state, std::size_t step) {
     const Step& entered = state.lesson->steps[step];
+    if (state.sceneOverride.empty() && !(state.scene->description == state.lesson->scene))
+        showScene(state, state.lesson->scene, state.lesson->scenePath);
     state.step = step;
     state.show = entered.show;
     state.answerShown = false;
@@ -40,7 +47,7 @@ void showScene(AppState& state, SceneDescription description, const std::filesys
     auto prepared = std::make_shared<const PreparedScene>(std::move(description));
     if (prepared->scene.segments.empty())
         throw InputError(file.string(), "the scene has no walls to stand on, expected at least one");
-    state.scene = std::move(prepared);
+    replaceScene(state, std::move(prepared));
     state.fitCamera = true;
 }
 
@@ -83,6 +90,10 @@ void reload(AppState& state) {
     state.lessons = listLessons(state.lessonsFolder);
     if (!state.sceneOverride.empty()) {
         const WallPoint at = state.at;
+        if (isEdited(state))
+            throw std::runtime_error(
+                fmt::format("{} has changed on the disk. It is not read: the scene here has unsaved changes",
+                            state.sceneOverride.string()));
         showScene(state, loadScene(state.sceneOverride), state.sceneOverride);
         state.at = at.segment < state.scene->scene.segments.size() ? at : WallPoint{0, 0.5};
         askAnew(state);
@@ -164,6 +175,29 @@ void applyUnchecked(AppState& state, const Command& command) {
                        ++state.questionId;  // the run and its playback stay
                    },
                    [&](SetSplit c) { state.split = std::clamp(c.split, 0.0f, 1.0f); },
+                   [&](SetEditing c) { setEditing(state, c.on); },
+                   [&](SetTool c) { state.editing.tool = c.tool; },
+                   [&](SetSnap c) { state.editing.snap = c.on; },
+                   [&](const SelectThing& c) {
+                       const bool there = c.thing && exists(state.scene->description, *c.thing);
+                       state.editing.selected = there ? c.thing : std::nullopt;
+                       state.editing.message.clear();
+                   },
+                   [&](const BeginGesture& c) {
+                       Editing& editing = state.editing;
+                       editing.start = state.scene;
+                       editing.grabbed = c.place;
+                       editing.handle = c.handle;
+                       editing.changing = false;
+                   },
+                   [&](const EditScene& c) { editScene(state, c); },
+                   [&](Undo) { undo(state); },
+                   [&](Redo) { redo(state); },
+                   [&](const SetScenePath& c) {
+                       state.editing.path = c.path;
+                       state.editing.confirmed = false;
+                   },
+                   [&](const SaveScene& c) { saveEdited(state, c); },
                    [&](const MovePoint& c) {
                        if (state.at == c.at || c.at.segment >= state.scene->scene.segments.size()) return;
                        state.at = {c.at.segment, std::clamp(c.at.t, 0.0, 1.0)};
@@ -188,7 +222,10 @@ void applyUnchecked(AppState& state, const Command& command) {
                    },
                    [&](FitCamera) { state.fitCamera = true; },
                    [&](ScrolledTo c) { state.litLine = c.line; },
-                   [&](SetGrip c) { state.grip = c.grip; },
+                   [&](SetGrip c) {
+                       state.grip = c.grip;
+                       if (c.grip != Grip::edit) state.editing.start.reset();
+                   },
                    [&](SetUiScale c) { state.uiScale = std::clamp(c.scale, 0.5f, 4.0f); },
                    [&](SetView c) { setView(state, c); },
                    [&](LookAlong c) { state.eyePixel = c.pixel; },

@@ -34,6 +34,35 @@ struct SetMakers {
 struct SetSplit {
     float split;
 };
+struct SetEditing {
+    bool on;
+};
+struct SetTool {
+    Tool tool;
+};
+struct SetSnap {
+    bool on;
+};
+struct SelectThing {
+    std::optional<Thing> thing;
+};
+struct BeginGesture {
+    Vec2 place;                         ///< m
+    std::optional<std::size_t> handle;  ///< of the selected thing
+};
+struct EditScene {
+    SceneDescription scene;
+    std::optional<Thing> selected;
+    bool continues = false;  ///< the same gesture: undone together with what came before
+};
+struct Undo {};
+struct Redo {};
+struct SetScenePath {
+    std::string path;
+};
+struct SaveScene {
+    std::string path;
+};
 struct MovePoint {
     WallPoint at;
 };
@@ -84,9 +113,10 @@ struct DismissBanner {};
 
 using Command =
     std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload, SetSettings, SetMakers,
-                 SetSplit, MovePoint, SetEvent, StepEvents, JumpToLine, ShowWholeRun, TogglePlay, SetCamera,
-                 FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, ShowPane, HideCanvas,
-                 RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
+                 SetSplit, SetEditing, SetTool, SetSnap, SelectThing, BeginGesture, EditScene, Undo, Redo,
+                 SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, ShowWholeRun,
+                 TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong,
+                 ShowPane, HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.

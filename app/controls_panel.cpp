@@ -86,7 +86,7 @@ void pictureSwitches(const Ui& ui) {
     const Step* step = ui.state.currentStep();
     const bool ofStep = step && (step->show & kPictureSet) != ViewSet{};
     if (step && !ofStep && !ui.state.unlockAll) return;
-    const float width = (ImGui::GetContentRegionAvail().x - 3 * ImGui::GetStyle().ItemSpacing.x) / 4;
+    const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
     const auto choice = [&](const char* label, View view, const char* meaning) {
         bool on = ui.state.shows(view);
         if (toggle(ui.widgets, label, on, {width, 0})) ui.commands.push_back(SetView{view, on});
@@ -95,10 +95,10 @@ void pictureSwitches(const Ui& ui) {
     choice("Eye", View::eye, "the strip that the scene's eye sees (V)");
     sameLineIfFits("Field", width);
     choice("Field", View::field, "the picture of the room: the light that passes every place (Shift V)");
-    sameLineIfFits("Profile", width);
     choice("Profile", View::profile, "the light that arrives along P's wall");
     sameLineIfFits("Paths", width);
-    choice("Paths", View::paths, "ways that light takes from the lamps");
+    choice("Paths", View::paths,
+           "ways that light takes: orange straight from a light, blue once a wall has scattered it");
 }
 
 }  // namespace

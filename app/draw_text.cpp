@@ -45,4 +45,16 @@ std::string shown(const Rgb& value) {
     return fmt::format("{:.3g}, {:.3g}, {:.3g}", value.x, value.y, value.z);
 }
 
+std::string firstThatFits(std::initializer_list<std::string_view> words, float width, ImFont* font) {
+    for (const std::string_view candidate : words)
+        if (textSize(candidate, font).x <= width) return std::string(candidate);
+    std::string shorter(words.size() > 0 ? *(words.end() - 1) : std::string_view());
+    while (!shorter.empty() && textSize(shorter + "\u2026", font).x > width) {
+        do shorter.pop_back();
+        while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xC0u) == 0x80u);
+        if (!shorter.empty() && static_cast<unsigned char>(shorter.back()) >= 0xC0u) shorter.pop_back();
+    }
+    return shorter.empty() ? shorter : shorter + "\u2026";
+}
+
 }  // namespace halfdisk

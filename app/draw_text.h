@@ -3,6 +3,8 @@
 
 #include <imgui.h>
 
+#include <initializer_list>
+#include <string>
 #include <string_view>
 
 #include "app/frame.h"
@@ -20,6 +22,9 @@ ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view words, Al
 void sameLineIfFits(std::string_view label, float width = 0.0f);
 
 ImVec2 textSize(std::string_view words, ImFont* font = nullptr);
+
+/// The first of these words that are no wider than `width`; else the last, cut to as many as are.
+std::string firstThatFits(std::initializer_list<std::string_view> words, float width, ImFont* font = nullptr);
 
 /// A number as it is shown: four significant digits, no needless zeros.
 std::string shown(double value);

@@ -23,21 +23,18 @@ std::string whyEmpty(const AppState& state, const LightPicture* picture) {
 
 struct Row {
     const LightPicture* picture;  ///< null: none yet
-    std::string title;
-    const char* name;  ///< of the widget
+    std::string maker;            ///< empty: the usual one
+    const char* name;             ///< of the widget
 };
 
 /// One strip, or two below each other.
 std::vector<Row> rowsOf(const AppState& state) {
     const Maker first = state.makers.first.value_or(usualMaker(View::eye));
     const Maker* second = state.makers.second ? &*state.makers.second : nullptr;
-    const auto title = [](const Maker& maker, const Maker* other) {
-        return fmt::format("{}: {}", kTitle, titleOf(maker, other));
-    };
     std::vector<Row> rows{{state.answer ? state.answer->pictures.eye.get() : nullptr,
-                           state.makers.first ? title(first, second) : kTitle, "eye strip"}};
+                           state.makers.first ? titleOf(first, second) : "", "eye strip"}};
     if (second)
-        rows.push_back({state.answer ? state.answer->against.eye.get() : nullptr, title(*second, &first),
+        rows.push_back({state.answer ? state.answer->against.eye.get() : nullptr, titleOf(*second, &first),
                         "eye strip B"});
     return rows;
 }
@@ -81,7 +78,10 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) 
         max{origin.x + size.x, origin.y + size.y};
     const std::optional<std::uint32_t> pixel = pointed(picture, min, max);
 
-    const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, row.title);
+    const std::string words =
+        row.maker.empty() ? kTitle
+                          : firstThatFits({fmt::format("{}: {}", kTitle, row.maker), row.maker}, width);
+    const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, words);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (picture) {
         const std::string white = picture->white > 0.0

@@ -57,6 +57,7 @@ void stage(const Ui& ui) {
 
 void controls(const Ui& ui) {
     const AppState& state = ui.state;
+    if (state.editing.on) return editPanel(ui);
     controlsPanel(ui);
     if ((state.show & kPictureSet) != ViewSet{}) {
         ImGui::Separator();

@@ -101,6 +101,32 @@ void panKeys(const Ui& ui) {
     if (x != 0.0f || y != 0.0f) ui.commands.push_back(SetCamera{panned(ui.state.camera, {x, y})});
 }
 
+void editKeys(const Ui& ui) {
+    if (keyPressed(Key::x, false)) ui.commands.push_back(SetEditing{!ui.state.editing.on});
+    const Editing& editing = ui.state.editing;
+    if (!editing.on || !editing.selected) return;
+    if (keyPressed(Key::del, false) || keyPressed(Key::backspace, false)) {
+        SceneDescription scene = ui.state.scene->description;
+        remove(scene, *editing.selected);
+        ui.commands.push_back(EditScene{std::move(scene), std::nullopt, false});
+    }
+}
+
+/// With Ctrl held.
+void historyKeys(const Ui& ui) {
+    const Editing& editing = ui.state.editing;
+    if (!editing.on) return;
+    if (keyPressed(Key::z))
+        ui.commands.push_back(ImGui::GetIO().KeyShift ? Command(Redo{}) : Command(Undo{}));
+    if (keyPressed(Key::y)) ui.commands.push_back(Redo{});
+    if (keyPressed(Key::s, false)) ui.commands.push_back(SaveScene{editing.path});
+    if (keyPressed(Key::d, false) && editing.selected) {
+        SceneDescription scene = ui.state.scene->description;
+        const Thing copy = copyOf(scene, *editing.selected, Vec2(0.1, 0.1));
+        ui.commands.push_back(EditScene{std::move(scene), copy, false});
+    }
+}
+
 void paneKeys(const Ui& ui) {
     if (keyPressed(Key::p, false)) {
         const Pane pane = ui.state.pane;
@@ -135,6 +161,7 @@ void keyboard(const Ui& ui) {
         if (keyPressed(Key::minus)) ui.commands.push_back(SetUiScale{ui.state.uiScale / 1.25f});
         if (keyPressed(Key::digit0)) ui.commands.push_back(SetUiScale{1.0f});
         panKeys(ui);
+        historyKeys(ui);
         return;
     }
     lessonKeys(ui);
@@ -143,6 +170,7 @@ void keyboard(const Ui& ui) {
     viewKeys(ui);
     cameraKeys(ui);
     paneKeys(ui);
+    editKeys(ui);
 }
 
 }  // namespace halfdisk

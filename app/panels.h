@@ -13,6 +13,8 @@ void canvasPanel(const Ui& ui, ImVec2 size);
 /// A row of this height (pixels); its words lie above the strip.
 void eyeStrip(const Ui& ui, float width);
 float eyeStripHeight(const Ui& ui);
+/// In place of the settings while the scene is being changed.
+void editPanel(const Ui& ui);
 /// What makes the pictures, and what they cost.
 void makersPanel(const Ui& ui);
 void profilePlot(const Ui& ui, ImVec2 size);

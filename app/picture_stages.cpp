@@ -13,8 +13,9 @@
 namespace halfdisk {
 namespace {
 
-// Of one picture: a second or two of one core, counted in what does not depend on the machine.
-constexpr std::uint64_t kMostPasses = 512;
+// Of one picture: a second or two of one core, counted in what does not depend on the machine. The same for
+// all, so that two that are compared cost the same. Some are done without rays.
+constexpr std::uint64_t kMostPasses = 16'384, kMostPassesWithoutRays = 512;
 constexpr std::uint64_t kMostRays = 1'200'000;
 // Of one batch, so that pictures follow each other fast.
 constexpr double kPathsPerBatch = 16'384.0;
@@ -138,7 +139,8 @@ bool PictureWork::addBatch() {
     const Film batch = render(*estimator_, sensor_, options);
     if (batch.passes < options.passes) return false;
     next->film.merge(batch);
-    next->complete = next->film.passes >= kMostPasses || next->film.counts.rays >= kMostRays;
+    const std::uint64_t passes = next->film.passes, rays = next->film.counts.rays;
+    next->complete = rays >= kMostRays || passes >= (rays > 0 ? kMostPasses : kMostPassesWithoutRays);
     if (!std::holds_alternative<Profile>(sensor_)) tone(*next, whiteOf(*next));
     picture_ = std::move(next);
     return true;
@@ -167,7 +169,7 @@ void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<
     recallPictures(answer, cache);  // also what refuses
     if (asked.pictures.has(View::paths) && !answer.ways) {
         answer.ways = std::make_shared<const std::vector<LightWay>>(
-            lightWays(asked.scene->index, kWaysFollowed, asked.settings.maxDepth + 1, asked.settings.seed));
+            lightWays(asked.scene->index, kWaysFollowed, asked.settings.maxDepth, asked.settings.seed));
         publish();
     }
     for (bool growing = true; growing && turns > 0; --turns) {

@@ -122,8 +122,9 @@ void plotLine(const Plot& plot, const std::vector<ImVec2>& points, ImU32 color, 
     list.PopClipRect();
 }
 
-void plotKey(const Ui& ui, const Plot& plot, int row, ImU32 color, const char* words) {
+void plotKey(const Ui& ui, const Plot& plot, int row, ImU32 color, const char* name) {
     const float line = ImGui::GetFontSize(), gap = 4 * ui.scale, stroke = 16 * ui.scale;
+    const std::string words = firstThatFits({name}, plot.area.width() - stroke - 5 * gap);
     const ImVec2 size = textSize(words);
     const ImVec2 at{plot.area.max.x - size.x - 2 * gap,
                     plot.area.min.y + gap + static_cast<float>(row) * line};

@@ -17,8 +17,8 @@ struct LightWay {
     bool escapes = false;       ///< the last corner is only somewhere outside, on its way
 };
 
-/// The first `count` paths of this seed, scattered at most so often. Light sets out evenly over the power of
-/// all lights. None in a dark scene.
+/// The first `count` paths of this seed, scattered at most so often (mirrors and glass not counted). Light
+/// sets out evenly over the power of all lights. None in a dark scene.
 std::vector<LightWay> lightWays(const SegmentIndex& index, std::uint32_t count, std::uint32_t scatterings,
                                 std::uint64_t seed);
 

@@ -1,0 +1,144 @@
+#include "app/edit_commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <utility>
+
+#include "core/nearest_wall.h"
+
+namespace halfdisk {
+namespace {
+
+/// P on the wall of the same name, else on the nearest one.
+WallPoint keptPoint(const PreparedScene& before, WallPoint at, const Scene& after) {
+    if (at.segment >= before.scene.segments.size()) return {0, 0.5};
+    if (const auto same = findSegment(after, before.scene.segmentNames[at.segment])) return {*same, at.t};
+    const NearestWall nearest = nearestWall(after, positionOf(before.scene, at));
+    return {nearest.segment, std::clamp(nearest.t, 0.0, 1.0)};
+}
+
+void show(AppState& state, std::shared_ptr<const PreparedScene> scene) {
+    if (state.scene) state.at = keptPoint(*state.scene, state.at, scene->scene);
+    state.scene = std::move(scene);
+    Editing& editing = state.editing;
+    if (editing.selected && !exists(state.scene->description, *editing.selected)) editing.selected.reset();
+    state.eyePixel.reset();
+    state.editing.message.clear();
+    ++state.questionId;
+    state.playback = {};
+}
+
+/// The newest are kept, and always one.
+void forgetOld(std::vector<std::shared_ptr<const PreparedScene>>& scenes) {
+    std::size_t bytes = 0, kept = 0;
+    for (auto scene = scenes.rbegin(); scene != scenes.rend(); ++scene, ++kept) {
+        bytes += bytesOf(**scene);
+        if (bytes > kUndoBytes && kept > 0) break;
+    }
+    scenes.erase(scenes.begin(), scenes.end() - static_cast<std::ptrdiff_t>(kept));
+}
+
+/// Whether somebody wrote comments into the file, which a file that is written anew would lack.
+bool hasComments(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);)
+        if (line.find('#') != std::string::npos) return true;
+    return false;
+}
+
+}  // namespace
+
+bool isEdited(const AppState& state) {
+    return state.editing.clean && !(state.scene->description == state.editing.clean->description);
+}
+
+void replaceScene(AppState& state, std::shared_ptr<const PreparedScene> scene) {
+    Editing& editing = state.editing;
+    if (state.scene && isEdited(state)) {
+        editing.history.past.push_back(state.scene);
+        forgetOld(editing.history.past);
+    }
+    editing.clean.reset();
+    editing.selected.reset();
+    editing.start.reset();
+    editing.message.clear();
+    state.scene = std::move(scene);
+}
+
+void editScene(AppState& state, const EditScene& edit) {
+    Editing& editing = state.editing;
+    editing.message = faultOf(edit.scene);
+    if (editing.message.empty() && edit.scene.shapes.empty())
+        editing.message = "the last wall must stay: P stands on it";
+    if (!editing.message.empty()) return;
+    auto changed = std::make_shared<const PreparedScene>(edit.scene);
+    if (!editing.clean) editing.clean = state.scene;
+    if (!edit.continues) {
+        editing.history.past.push_back(state.scene);
+        forgetOld(editing.history.past);
+    }
+    editing.history.future.clear();
+    editing.changing = editing.start != nullptr;
+    editing.selected = edit.selected;
+    show(state, std::move(changed));
+}
+
+void undo(AppState& state) {
+    History& history = state.editing.history;
+    if (history.past.empty()) return;
+    if (!state.editing.clean) state.editing.clean = state.scene;
+    history.future.push_back(state.scene);
+    auto scene = std::move(history.past.back());
+    history.past.pop_back();
+    show(state, std::move(scene));
+}
+
+void redo(AppState& state) {
+    History& history = state.editing.history;
+    if (history.future.empty()) return;
+    history.past.push_back(state.scene);
+    auto scene = std::move(history.future.back());
+    history.future.pop_back();
+    show(state, std::move(scene));
+}
+
+void saveEdited(AppState& state, const SaveScene& save) {
+    Editing& editing = state.editing;
+    const std::filesystem::path file(save.path);
+    if (save.path.empty() || file.extension() != ".toml") {
+        editing.message = "a scene file's name ends with .toml";
+        return;
+    }
+    std::error_code none;
+    if (std::filesystem::exists(file, none) && !editing.confirmed && hasComments(file)) {
+        editing.confirmed = true;
+        editing.message =
+            fmt::format("{} has comments, which would go. Save again to write over it.", save.path);
+        return;
+    }
+    try {
+        saveScene(state.scene->description, file);
+        editing.clean = state.scene;
+        editing.message = fmt::format("saved: {}", save.path);
+    } catch (const std::exception& error) {
+        editing.message = error.what();
+    }
+    editing.confirmed = false;
+}
+
+void setEditing(AppState& state, bool on) {
+    Editing& editing = state.editing;
+    editing.on = on;
+    editing.start.reset();
+    if (on && editing.path.empty()) {
+        const std::filesystem::path opened =
+            state.sceneOverride.empty() && state.lesson ? state.lesson->scenePath : state.sceneOverride;
+        const std::string stem = opened.stem().string();
+        editing.path = (stem.empty() ? "scene" : "my_" + stem) + ".toml";
+    }
+    state.fitCamera = false;  // what is drawn shall stay under the pointer
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,79 @@
+#include "app/key_editor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfdisk {
+namespace {
+
+constexpr std::uint32_t kMostWallsOfShape = 2000;  // in the window; a file may have more
+
+}  // namespace
+
+/// Side by side; the last one has the key beside it.
+bool KeyEditor::editRow(const std::string& key, double* values, int count, const NumberRule& rule) const {
+    const float all = ImGui::CalcItemWidth(), gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float each = (all - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
+    const double size = std::abs(*std::max_element(
+        values, values + count, [](double a, double b) { return std::abs(a) < std::abs(b); }));
+    bool edited = false;
+    for (int i = 0; i < count; ++i) {
+        ImGui::PushItemWidth(each);
+        const bool last = i + 1 == count;
+        const std::string label = last ? key : "##" + key + "." + std::to_string(i);
+        const float speed = static_cast<float>(std::clamp(0.005 * size, 1e-3, 1.0));
+        edited = dragNumber<double>(ui.widgets, label.c_str(), values[i],
+                                    {rule.least, rule.most, speed, "%.4g", false}) ||
+                 edited;
+        tooltip(rule.expected);
+        ImGui::PopItemWidth();
+        if (!last) ImGui::SameLine(0.0f, gap);
+    }
+    return edited;
+}
+
+bool KeyEditor::edit(const std::string& key, double& field, const NumberRule& rule) const {
+    return editRow(key, &field, 1, rule);
+}
+
+bool KeyEditor::edit(const std::string& key, Vec2& field, const NumberRule& rule) const {
+    return editRow(key, &field.x, 2, rule);
+}
+
+bool KeyEditor::edit(const std::string& key, Rgb& field, const NumberRule& rule) const {
+    return editRow(key, &field.x, 3, rule);
+}
+
+bool KeyEditor::edit(const std::string& key, std::uint32_t& field, const WholeRule& rule) const {
+    const auto least = static_cast<std::uint32_t>(rule.least);
+    return dragNumber<std::uint32_t>(ui.widgets, key.c_str(), field,
+                                     {least, std::max(kMostWallsOfShape, field), 0.2f, "%u", false});
+}
+
+bool KeyEditor::edit(const std::string& key, std::string& field, NameRule) const {
+    if (key != "material") return inputText(ui.widgets, key.c_str(), field);
+    std::vector<std::string_view> names{kDefaultMaterial};
+    int index = 0;
+    for (const NamedMaterial& named : scene.materials) {
+        if (named.name == kDefaultMaterial) continue;
+        if (named.name == field) index = static_cast<int>(names.size());
+        names.push_back(named.name);
+    }
+    if (!combo(ui.widgets, key.c_str(), index, names)) return false;
+    field = index == 0 ? std::string() : std::string(names[static_cast<std::size_t>(index)]);
+    return true;
+}
+
+bool KeyEditor::edit(const std::string& key, std::vector<Vec2>& field, const PointsRule&) const {
+    text(ui.widgets, key + ": " + std::to_string(field.size()) + ", pull them on the canvas");
+    return false;
+}
+
+bool KeyEditor::edit(const std::string& key, std::variant<Mirror, Glossy>& part, PartRule) {
+    KeyEditor inner{ui, scene};
+    text(ui.widgets, key + (part.index() == 0 ? ": mirror" : ": glossy"));
+    std::visit([&](auto& alternative) { keysOf(inner, alternative); }, part);
+    return inner.changed;
+}
+
+}  // namespace halfdisk

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/camera.h"
+#include "app/class_rules.h"
 #include "app/editing.h"
 #include "app/light_answer.h"
 #include "lessons/lesson_list.h"
@@ -45,6 +46,7 @@ struct AppState {
     ViewSet show;
     Makers makers;  ///< of the pictures
     bool unlockAll = false;
+    ClassRules rules;
 
     Editing editing;
 
@@ -69,6 +71,7 @@ struct AppState {
     const Step* currentStep() const { return lesson ? &lesson->steps[step] : nullptr; }
     bool isUnlocked(Control control) const {
         const Step* current = currentStep();
+        if (rules.isLocked(control)) return false;
         return unlockAll || !current || current->unlock == control;
     }
     bool shows(View view) const { return show.has(view); }

@@ -49,6 +49,9 @@ void drawGaze(const Canvas& canvas);
 void drawRayLegend(const Canvas& canvas);
 void drawFieldLegend(const Canvas& canvas);
 
+/// Of the buttons in the upper right corner of a canvas of this width, pixels.
+float cornerHeight(const AppState& state, float width);
+
 /// Top of a legend's words, pixels; row 0 is the lowest.
 float legendRow(const Canvas& canvas, int row);
 

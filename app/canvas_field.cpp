@@ -29,6 +29,12 @@ std::string rangeEnd(const LightPicture& field) {
     return field.white > 0.0 ? "\u2265 " + shown(field.white) + " W/m" : "no light at all";
 }
 
+/// So low that words would lie on each other.
+bool isTiny(const Canvas& canvas) {
+    const float line = ImGui::GetFontSize();
+    return canvas.rect.height() < cornerHeight(canvas.ui.state, canvas.rect.width()) + 7 * line;
+}
+
 /// In the colours of the picture, from black to white. Returns its width.
 void drawScale(const Canvas& canvas, ImVec2 min, ImVec2 max) {
     constexpr int kSteps = 32;
@@ -72,9 +78,9 @@ void drawHalfTitle(const Canvas& canvas, std::string_view title, const char* sid
     const float room = align == Align::right ? x - canvas.rect.min.x : canvas.rect.max.x - x;
     const std::string words =
         firstThatFits({fmt::format("{}: {}", side, title), side, ""}, room - canvas.px(8), ui.fonts.strong);
-    if (words.empty()) return;
+    if (words.empty() || isTiny(canvas)) return;
     const ImVec2 size = textSize(words, ui.fonts.strong);
-    const float y = canvas.rect.min.y + ImGui::GetFrameHeight() + canvas.px(16);
+    const float y = canvas.rect.min.y + cornerHeight(ui.state, canvas.rect.width()) + canvas.px(8);
     const float left = align == Align::right ? x - size.x : x;
     canvas.list.AddRectFilled({left - canvas.px(5), y - canvas.px(3)},
                               {left + size.x + canvas.px(5), y + size.y + canvas.px(3)},
@@ -149,7 +155,7 @@ bool fieldIsSeen(const Canvas& canvas) {
 
 void drawFieldLegend(const Canvas& canvas) {
     const AppState& state = canvas.ui.state;
-    if (!state.shows(View::field)) return;
+    if (!state.shows(View::field) || isTiny(canvas)) return;
     const Palette& palette = canvas.ui.palette;
     const LightPicture* picture = shownField(state);
     const float line = ImGui::GetFontSize(), gap = canvas.px(8);
@@ -160,8 +166,11 @@ void drawFieldLegend(const Canvas& canvas) {
                                   withOpacity(palette.background, 0.9f), canvas.px(4));
     };
     if (!picture || picture->colors.empty()) {
-        const std::string words = picture && !picture->refusal.empty() ? "no field: " + picture->refusal
-                                                                       : "the field is being computed";
+        const bool refused = picture && !picture->refusal.empty();
+        const std::string words =
+            firstThatFits({refused ? "no field: " + picture->refusal : "the field is being computed",
+                           refused ? "no field by this estimator" : "computing"},
+                          canvas.rect.width() - canvas.px(24));
         plate(textSize(words).x);
         drawText(canvas.ui, at, palette.inkSoft, words);
         return;

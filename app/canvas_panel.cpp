@@ -64,23 +64,32 @@ void interact(const Canvas& canvas, bool hovered, bool active) {
             nearestWallPoint(ui.state.scene->scene, toWorld(canvas.camera, canvas.rect, io.MousePos))});
 }
 
-/// Small buttons in the canvas' upper right corner.
-void cornerButtons(const Canvas& canvas) {
-    const Ui& ui = canvas.ui;
+/// What the buttons in the canvas' upper right corner take side by side.
+float cornerWidth(const AppState& state) {
     const float spacing = ImGui::GetStyle().ItemSpacing.x, padding = 2 * ImGui::GetStyle().FramePadding.x;
     float width = 0.0f;
     for (const char* label : {"Edit", "Fit", "Grid", "A-", "A+", "?"})
-        width += textSize(label).x + padding + spacing;
+        if (!state.rules.kiosk || label != std::string_view("Edit"))
+            width += textSize(label).x + padding + spacing;
+    return width;
+}
+
+/// Small buttons in the canvas' upper right corner.
+void cornerButtons(const Canvas& canvas) {
+    const Ui& ui = canvas.ui;
+    const float width = cornerWidth(ui.state);
     const float left = std::max(canvas.rect.min.x, canvas.rect.max.x - width - canvas.px(2));
     const ImVec2 corner{left, canvas.rect.min.y + canvas.px(6)};
     canvas.list.AddRectFilled({corner.x - canvas.px(6), canvas.rect.min.y},
                               {canvas.rect.max.x, corner.y + ImGui::GetFrameHeight() + canvas.px(6)},
                               ui.palette.background);
     ImGui::SetCursorScreenPos(corner);
-    bool editing = ui.state.editing.on;
-    if (toggle(ui.widgets, "Edit", editing)) ui.commands.push_back(SetEditing{editing});
-    tooltip("change the scene: add, move and delete walls, lights and the eye (X)");
-    sameLineIfFits("Fit");
+    if (!ui.state.rules.kiosk) {
+        bool editing = ui.state.editing.on;
+        if (toggle(ui.widgets, "Edit", editing)) ui.commands.push_back(SetEditing{editing});
+        tooltip("change the scene: add, move and delete walls, lights and the eye (X)");
+        sameLineIfFits("Fit");
+    }
     if (button(ui.widgets, "Fit")) ui.commands.push_back(FitCamera{});
     tooltip("show the whole scene (F)");
     sameLineIfFits("Grid");
@@ -100,14 +109,23 @@ void cornerButtons(const Canvas& canvas) {
 
 }  // namespace
 
+float cornerHeight(const AppState& state, float width) {
+    const int rows = 1 + static_cast<int>(cornerWidth(state) / std::max(width, 1.0f));
+    return static_cast<float>(rows) * ImGui::GetFrameHeightWithSpacing();
+}
+
 void canvasPanel(const Ui& ui, ImVec2 size) {
     const AppState& state = ui.state;
     beginChild("canvas", size, false, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const CanvasRect rect{origin, {origin.x + available.x, origin.y + available.y}};
     const bool twoLegends = state.shows(View::field) && state.shows(View::rays);
-    const float buttons = 44 * ui.scale, legend = std::min((twoLegends ? 80 : 54) * ui.scale,
-                                                           (twoLegends ? 0.34f : 0.2f) * available.y);
+    // P's letter stands behind its wall, which may be the uppermost one.
+    const float letter = shadedNormal(state).y < 0.0 ? 26 * ui.scale : 0.0f;
+    const float buttons =
+                    std::min(cornerHeight(state, available.x) + 6 * ui.scale + letter, 0.4f * available.y),
+                legend =
+                    std::min((twoLegends ? 80 : 54) * ui.scale, (twoLegends ? 0.34f : 0.2f) * available.y);
     // With the frame defect the sampled half-disk reaches out behind the wall: it must be in sight too.
     const bool mirrored = state.settings.defects.has(Defect::frame);
     const float margin = std::min((mirrored ? 84 : 56) * ui.scale, (mirrored ? 0.2f : 0.12f) * available.x);

@@ -187,7 +187,7 @@ void drawPoint(const Canvas& canvas, Vec2 P, Vec2 N) {
 
 void drawRayLegend(const Canvas& canvas) {
     const RecordView view = shownRecord(canvas.ui.state);
-    if (!view.record || !canvas.ui.state.shows(View::rays)) return;
+    if (!view.record || !canvas.ui.state.shows(View::rays) || !(view.summary->brightest > 0.0)) return;
     const Palette& palette = canvas.ui.palette;
     const float line = ImGui::GetFontSize(), width = canvas.px(90);
     const ImVec2 at{canvas.rect.min.x + canvas.px(10), canvas.rect.max.y - line - canvas.px(6)};

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "app/class_rules.h"
 #include "lessons/lesson_list.h"
 
 namespace halfdisk {
@@ -29,6 +30,7 @@ struct WindowRequest {
     std::filesystem::path lessonsFolder;
     std::optional<LessonRef> lesson;             ///< none: the first lesson
     std::optional<std::filesystem::path> scene;  ///< shown in place of the lesson's own
+    ClassRules rules{};
 };
 
 struct ScreenshotRequest {

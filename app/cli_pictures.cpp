@@ -32,7 +32,7 @@ void addScreenshot(CLI::App& app, Action& chosen, std::filesystem::path& lessons
     const auto texts = std::make_shared<ScreenshotTexts>();
     CLI::App* command =
         app.add_subcommand("screenshot", "draw one step of a lesson to a PNG file, without a display");
-    command->add_option("LESSON", texts->lesson, "lesson and step: as-printed:3 or 03:3")
+    command->add_option("LESSON", texts->lesson, "lesson and step: as-printed:3 or 07:3")
         ->type_name("[:STEP]")
         ->required();
     command->add_option("-o,--output", texts->output, "the picture")->type_name("FILE.png")->required();

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/cli_actions.h"
+#include "app/cli_arguments.h"
 #include "app/cli_commands.h"
 #include "lessons/input_error.h"
 
@@ -12,10 +13,15 @@ namespace {
 
 struct WindowTexts {
     std::optional<std::string> lesson, scene;
+    std::vector<std::string> locks, hidden;
+    bool kiosk = false;
 };
 
 WindowRequest windowRequest(const WindowTexts& texts, const std::filesystem::path& lessonsFolder) {
-    WindowRequest request{lessonsFolder, {}, {}};
+    WindowRequest request{lessonsFolder, {}, {}, {}};
+    for (const std::string& text : texts.locks) addLock(request.rules, text);
+    for (const std::string& text : texts.hidden) addHidden(request.rules, text);
+    request.rules.kiosk = texts.kiosk;
     if (texts.lesson) request.lesson = parseLessonRef(*texts.lesson);
     if (texts.scene) request.scene = *texts.scene;
     return request;
@@ -32,10 +38,21 @@ void addLessonsFolder(CLI::App& command, std::filesystem::path& lessonsFolder) {
 void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder) {
     const auto texts = std::make_shared<WindowTexts>();
     app.add_option("LESSON", texts->lesson,
-                   "lesson to open: slug or number, e.g. as-printed or 03:2 (the second step)")
+                   "lesson to open: slug or number, e.g. as-printed or 07:2 (the second step)")
         ->type_name("[:STEP]");
     app.add_option("--scene", texts->scene, "scene file to show in place of the lesson's own")
         ->type_name("FILE");
+    app.add_option(
+           "--lock", texts->locks,
+           fmt::format("for a class: this control stays as it is, or at a value: {}", joinedNames(kControls)))
+        ->type_name("CONTROL[=VALUE] ...");
+    app.add_option(
+           "--hide", texts->hidden,
+           fmt::format("for a class: leave out {}, or a view: {}", joinedNames(kPanels), joinedNames(kViews)))
+        ->type_name("PANEL|VIEW ...");
+    app.add_flag(
+        "--kiosk", texts->kiosk,
+        "for a class: this lesson only; no other files, no editing, nothing unlocked but what the step does");
     addLessonsFolder(app, lessonsFolder);
     // Called whenever parsing succeeds, after the callbacks of the subcommands.
     app.final_callback([&app, &chosen, texts, &lessonsFolder] {
@@ -45,6 +62,8 @@ void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
             throw InputError("'" + *texts->lesson + "' was not expected before or after a command");
         } else if (texts->scene) {
             throw InputError("--scene was not expected before a command");
+        } else if (texts->kiosk || !texts->locks.empty() || !texts->hidden.empty()) {
+            throw InputError("--lock, --hide and --kiosk were not expected before a command");
         }
     });
 }

@@ -24,19 +24,21 @@ void enterStep(AppState& state, std::size_t step) {
     const Step& entered = state.lesson->steps[step];
     if (state.sceneOverride.empty() && !(state.scene->description == state.lesson->scene))
         showScene(state, state.lesson->scene, state.lesson->scenePath);
+    StepValues values = entered.values;
+    obey(state.rules, state.scene->scene, values);
     state.step = step;
-    state.show = entered.show;
+    state.show = entered.show - state.rules.hidden;
     state.answerShown = false;
     state.litLine = 0;
     state.grip = Grip::none;
     state.eyePixel.reset();
     if (state.sceneOverride.empty()) {
-        state.at = entered.values.at;
+        state.at = values.at;
     } else {
         state.at = WallPoint{0, 0.5};
     }
-    state.settings = entered.values.settings;
-    state.makers = entered.values.makers;
+    state.settings = values.settings;
+    state.makers = values.makers;
     state.split = 0.5f;
     askAnew(state);
     const bool stepping = entered.unlock == Control::step || entered.values.event > 0;
@@ -127,6 +129,7 @@ void jumpToLine(AppState& state, int line) {
 }
 
 void setView(AppState& state, const SetView& set) {
+    if (set.on && state.rules.hidden.has(set.view)) return;
     const bool picture = kPictureSet.has(set.view);
     if (picture && set.on && !state.shows(set.view)) ++state.questionId;  // the run and its playback stay
     if (set.view == View::eye) state.eyePixel.reset();
@@ -140,7 +143,18 @@ void attempt(AppState& state, const auto& change) {
     state = std::move(next);
 }
 
+/// What a class may not do on a machine that stands for all.
+bool isForbidden(const AppState& state, const Command& command) {
+    if (!state.rules.kiosk) return false;
+    if (const auto* go = std::get_if<GoTo>(&command))
+        return !state.lesson || go->lesson != state.lesson->slug;
+    return std::holds_alternative<OpenScene>(command) || std::holds_alternative<OpenFile>(command) ||
+           std::holds_alternative<SetEditing>(command) || std::holds_alternative<EditScene>(command) ||
+           std::holds_alternative<SaveScene>(command) || std::holds_alternative<UnlockAll>(command);
+}
+
 void applyUnchecked(AppState& state, const Command& command) {
+    if (isForbidden(state, command)) return;
     std::visit(Overload{
                    [&](const GoTo& c) {
                        attempt(state, [&](AppState& next) {
@@ -268,6 +282,17 @@ AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optio
         return state;
     }
     throw InputError(lessonsFolder.string() + ": no lesson that can be read, expected files NN-name.toml");
+}
+
+void setRules(AppState& state, const ClassRules& rules) {
+    state.rules = rules;
+    if (state.lesson) return enterStep(state, state.step);
+    StepValues values{state.settings, state.at, state.makers};
+    obey(rules, state.scene->scene, values);
+    state.settings = values.settings;
+    state.at = values.at;
+    state.makers = values.makers;
+    state.show = state.show - rules.hidden;
 }
 
 AppState openScene(const std::filesystem::path& lessonsFolder, const std::filesystem::path& scene) {

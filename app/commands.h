@@ -127,6 +127,9 @@ void apply(AppState& state, const Command& command);
 AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optional<LessonRef>& ref,
                     const std::filesystem::path& scene = {});
 
+/// From now on, beginning with the step that is open.
+void setRules(AppState& state, const ClassRules& rules);
+
 /// A scene without a lesson: everything is unlocked. Throws InputError.
 AppState openScene(const std::filesystem::path& lessonsFolder, const std::filesystem::path& scene);
 

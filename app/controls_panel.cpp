@@ -133,8 +133,13 @@ void controlsPanel(const Ui& ui) {
         whileUnlocked(ui, Control::defects, [&] { defectSwitches(ui, settings); });
     if (!(settings == state.settings)) ui.commands.push_back(SetSettings{settings});
 
-    pictureSwitches(ui);
+    if (!state.rules.kiosk) pictureSwitches(ui);
     if (!step) return;
+    if (state.rules.kiosk) {
+        if (button(ui.widgets, "Reset", {-1, 0})) ui.commands.push_back(ResetStep{});
+        tooltip("everything as the step began (R)");
+        return;
+    }
     bool unlockAll = state.unlockAll;
     const ImGuiStyle& style = ImGui::GetStyle();
     const float half = (ImGui::GetContentRegionAvail().x - style.ItemSpacing.x) / 2;

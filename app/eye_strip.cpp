@@ -24,6 +24,7 @@ std::string whyEmpty(const AppState& state, const LightPicture* picture) {
 struct Row {
     const LightPicture* picture;  ///< null: none yet
     std::string maker;            ///< empty: the usual one
+    std::string difference;       ///< from the other one
     const char* name;             ///< of the widget
 };
 
@@ -32,10 +33,11 @@ std::vector<Row> rowsOf(const AppState& state) {
     const Maker first = state.makers.first.value_or(usualMaker(View::eye));
     const Maker* second = state.makers.second ? &*state.makers.second : nullptr;
     std::vector<Row> rows{{state.answer ? state.answer->pictures.eye.get() : nullptr,
-                           state.makers.first ? titleOf(first, second) : "", "eye strip"}};
+                           state.makers.first ? titleOf(first, second) : "",
+                           second ? differenceOf(first, *second) : "", "eye strip"}};
     if (second)
         rows.push_back({state.answer ? state.answer->against.eye.get() : nullptr, titleOf(*second, &first),
-                        "eye strip B"});
+                        differenceOf(*second, first), "eye strip B"});
     return rows;
 }
 
@@ -78,9 +80,11 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) 
         max{origin.x + size.x, origin.y + size.y};
     const std::optional<std::uint32_t> pixel = pointed(picture, min, max);
 
-    const std::string words =
-        row.maker.empty() ? kTitle
-                          : firstThatFits({fmt::format("{}: {}", kTitle, row.maker), row.maker}, width);
+    const std::string words = row.maker.empty()
+                                  ? kTitle
+                                  : firstThatFits({fmt::format("{}: {}", kTitle, row.maker), row.maker,
+                                                   row.difference.empty() ? row.maker : row.difference},
+                                                  width);
     const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, words);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (picture) {

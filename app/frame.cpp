@@ -131,7 +131,15 @@ void columns(const Ui& ui) {
         column(ui, pane, 0.0f, all, paneBar(ui, all, pane, true));
         return;
     }
-    const float left = std::floor(330 * ui.scale), right = std::floor(310 * ui.scale);
+    const ClassRules& rules = ui.state.rules;
+    const float left = rules.withoutLesson ? 0.0f : std::floor(330 * ui.scale),
+                right = rules.withoutControls ? 0.0f : std::floor(310 * ui.scale);
+    if (rules.withoutLesson || rules.withoutControls) {
+        if (!rules.withoutLesson) column(ui, Pane::lesson, 0.0f, left, 0.0f);
+        column(ui, Pane::stage, left, all - left - right, 0.0f);
+        if (!rules.withoutControls) column(ui, Pane::controls, all - right, right, 0.0f);
+        return;
+    }
     if (design < kThreeColumns) {
         const Pane shown = pane == Pane::controls ? Pane::controls : Pane::lesson;
         const float side = std::floor(std::min(left, 0.5f * all));

@@ -14,9 +14,14 @@ std::optional<double> binAtP(const AppState& state) {
     return gray(bins[static_cast<std::size_t>(place)]);
 }
 
-/// Standard deviation of whole runs of N samples, W/m.
+/// Typical error of a run of N samples, W/m: what its own samples say if they are many, else how whole runs
+/// differ.
 std::optional<double> errorOfRun(const LightAnswer& answer) {
-    if (answer.runs.count < 2) return std::nullopt;
+    constexpr std::uint32_t kManySamples = 256;
+    constexpr std::uint64_t kLeastRuns = 8;
+    if (answer.standardError && answer.asked.settings.samples >= kManySamples)
+        return gray(*answer.standardError);
+    if (answer.runs.count < kLeastRuns) return std::nullopt;
     return std::sqrt(gray(answer.runs.variance()));
 }
 

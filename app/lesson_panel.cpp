@@ -19,6 +19,10 @@ void chooser(const Ui& ui) {
         titles.push_back(fmt::format("{}  {}", entry.number,
                                      entry.error.empty() ? entry.title : entry.slug + " (broken)"));
     }
+    if (state.rules.kiosk) {
+        if (state.lesson) textWrapped(ui.widgets, state.lesson->title);
+        return;
+    }
     const std::vector<std::string_view> names(titles.begin(), titles.end());
     ImGui::SetNextItemWidth(-1);
     if (!combo(ui.widgets, "##Lessons", current, names)) return;

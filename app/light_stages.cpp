@@ -9,6 +9,7 @@ constexpr double kQuickRays = 1e6;
 constexpr std::size_t kIntegrandPoints = 361;
 constexpr double kSamplesForHistogram = 4096;
 constexpr double kRaysForHistogram = 3e6;
+constexpr double kLeastRuns = 16.0;
 constexpr double kMostSamplesOfErrorPlot = 4096;
 constexpr double kRaysPerErrorPoint = 1.5e6;
 constexpr std::uint64_t kRunsPerErrorPoint = 48;
@@ -55,7 +56,8 @@ void findExact(LightAnswer& answer, ReferenceCache& references, const std::atomi
 void runMany(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     const Settings& settings = answer.asked.settings;
     const double raysPerRun = raysPerRepeat(sceneOf(answer).index, settings);
-    const double runs = std::min(kSamplesForHistogram / settings.samples, kRaysForHistogram / raysPerRun);
+    const double runs = std::min(std::max(kSamplesForHistogram / settings.samples, kLeastRuns),
+                                 kRaysForHistogram / raysPerRun);
     EstimateOptions options;
     options.repeats = static_cast<std::uint64_t>(std::clamp(runs, 1.0, 256.0));
     options.cancelled = &cancelled;

@@ -110,8 +110,11 @@ void errorPlot(const Ui& ui, ImVec2 size) {
                   {std::pow(10.0, std::floor(std::log10(low * 0.7))),
                    std::pow(10.0, std::ceil(std::log10(high * 1.2))), true, "rms error of E, W/m", 0.0});
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ErrorPoint& first = answer.errors.front();
-    plotLine(plot, {plot.at(1.0, first.rms), plot.at(1.25 * mostN, first.rms / std::sqrt(1.25 * mostN))},
+    // Independent samples lie along it. Few of them may have met no lamp at all, so not the first dot
+    // decides.
+    double ofOne = 0.0;
+    for (const ErrorPoint& p : answer.errors) ofOne = std::max(ofOne, p.rms * std::sqrt(p.samples));
+    plotLine(plot, {plot.at(1.0, ofOne), plot.at(1.25 * mostN, ofOne / std::sqrt(1.25 * mostN))},
              ui.palette.inkSoft, 1.5f * ui.scale);
     list.PushClipRect(plot.area.min, plot.area.max, true);
     for (const ErrorPoint& p : answer.errors) {

@@ -19,6 +19,7 @@ Bounds boundsOf(const Scene& scene) {
     }
     for (const DeltaLight& light : scene.lights)
         if (const auto* point = std::get_if<PointLight>(&light)) include(point->position);
+    if (scene.eye) include(scene.eye->position);
     if (bounds.min.x > bounds.max.x) return {};
     return bounds;
 }

@@ -29,7 +29,7 @@ struct PreparedScene {
     SegmentIndex index;
     std::optional<Visibility>
         visibility;  ///< empty where there are no exact answers: too many walls, or not all diffuse
-    Bounds bounds;   ///< of walls and point lights
+    Bounds bounds;   ///< of walls, point lights and the eye
 };
 
 }  // namespace halfdisk

@@ -69,6 +69,10 @@ void drawCurve(const Plot& plot, const Curve& curve, double length, float scale)
                            withOpacity(curve.color, 0.25f));
         steps.push_back(plot.at(from, value));
         steps.push_back(plot.at(from + width, value));
+        if (value <= plot.y.to) continue;
+        // It goes on above the frame.
+        const float x = plot.at(from + width / 2, 0.0).x, y = plot.area.min.y, half = 4 * scale;
+        list.AddTriangleFilled({x, y}, {x + half, y + 2 * half}, {x - half, y + 2 * half}, curve.color);
     }
     list.PopClipRect();
     plotLine(plot, steps, curve.color, 2 * scale);

@@ -1,8 +1,10 @@
 // What happens while the window is open? Frames, and now and then a look at the files on the disk.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <utility>
 
+#include "app/autosave.h"
 #include "app/cli_actions.h"
 #include "app/commands.h"
 #include "app/file_watch.h"
@@ -22,6 +24,7 @@ AppState openRequested(const WindowRequest& request) {
 int runWindow(const WindowRequest& request) {
     Session session;
     session.state = openRequested(request);
+    setRules(session.state, request.rules);
 
     WindowOptions options;
     options.onDrop = [&](const std::vector<std::filesystem::path>& files) {
@@ -37,6 +40,11 @@ int runWindow(const WindowRequest& request) {
                    whyNot);
         return kExitFailure;
     }
+    Autosave autosave(stateFolder(), static_cast<long>(getpid()));
+    if (const auto left = autosave.recovered())
+        session.state.banner = fmt::format(
+            "The program ended with unsaved changes. They are in {}: drop that file on this window.",
+            left->string());
     FileWatch watch;
     constexpr int kFramesBetweenLooks = 20;
     int sinceLook = 0;
@@ -46,6 +54,7 @@ int runWindow(const WindowRequest& request) {
             if (watch.changed(session.state)) apply(session.state, Reload{});
         }
         frame(session, host->fonts(), host->fullScale());
+        autosave.look(session.state, ImGui::GetTime());
         if (session.state.uiScale != host->uiScale()) host->setUiScale(session.state.uiScale);
     });
     return kExitSuccess;

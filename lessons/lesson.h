@@ -93,6 +93,9 @@ struct ViewSet {
         bits = static_cast<std::uint16_t>(on ? bits | bit : bits & ~bit);
     }
     constexpr bool operator==(const ViewSet&) const = default;
+    constexpr ViewSet operator-(ViewSet other) const {
+        return {static_cast<std::uint16_t>(bits & ~other.bits)};
+    }
     constexpr ViewSet operator&(ViewSet other) const {
         return {static_cast<std::uint16_t>(bits & other.bits)};
     }

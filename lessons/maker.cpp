@@ -4,21 +4,28 @@
 
 namespace halfdisk {
 
-std::string titleOf(const Maker& maker, const Maker* other) {
+std::string differenceOf(const Maker& maker, const Maker& other) {
+    std::string words;
+    const auto add = [&](const std::string& difference) {
+        words += (words.empty() ? "" : ", ") + difference;
+    };
     const EstimatorInfo& info = *findEstimator(maker.estimator);
-    std::string title(info.title);
-    if (other == nullptr) return title;
-    if (other->estimator == maker.estimator)
-        for (std::size_t i = 0; i < info.params.size(); ++i) {
-            const ParamInfo& param = info.params[i];
-            const double value = maker.params[i];
-            if (value == other->params[i]) continue;
-            title += param.choices.empty()
-                         ? fmt::format(", {} {:g}", param.name, value)
-                         : fmt::format(", {} {}", param.name, param.choices[static_cast<std::size_t>(value)]);
-        }
-    if (maker.depth) title += fmt::format(", depth {}", *maker.depth);
-    return title;
+    for (std::size_t i = 0; other.estimator == maker.estimator && i < info.params.size(); ++i) {
+        const ParamInfo& param = info.params[i];
+        const double value = maker.params[i];
+        if (value == other.params[i]) continue;
+        add(param.choices.empty()
+                ? fmt::format("{} {:g}", param.name, value)
+                : fmt::format("{} {}", param.name, param.choices[static_cast<std::size_t>(value)]));
+    }
+    if (maker.depth) add(fmt::format("depth {}", *maker.depth));
+    return words;
+}
+
+std::string titleOf(const Maker& maker, const Maker* other) {
+    const std::string title(findEstimator(maker.estimator)->title);
+    const std::string difference = other ? differenceOf(maker, *other) : "";
+    return difference.empty() ? title : title + ", " + difference;
 }
 
 }  // namespace halfdisk

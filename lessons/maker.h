@@ -23,6 +23,9 @@ inline Maker makerOf(std::string_view estimator) {
 /// `Photon mapping, radius 0.05`: what tells it from another one beside it (may be null), if anything.
 std::string titleOf(const Maker& maker, const Maker* other);
 
+/// Only that: `radius 0.05`. Empty if nothing but the estimator differs.
+std::string differenceOf(const Maker& maker, const Maker& other);
+
 struct Makers {
     std::optional<Maker> first;   ///< none: what serves each picture best
     std::optional<Maker> second;  ///< beside it, for comparison; none: nothing

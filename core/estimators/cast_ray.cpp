@@ -21,7 +21,12 @@ constexpr std::array kParams{
     ParamInfo{.name = "sampler",
               .meaning = "how directions are drawn over the half-disk",
               .choices = kSamplerChoices},
-    ParamInfo{.name = kEmittersParam.name, .meaning = kEmittersParam.meaning, .choices = kEmitterChoices},
+    ParamInfo{
+        .name = kEmittersParam.name,
+        .meaning =
+            "how lamps are found: drawn (sample), met by chance (hit), or both, weighed; the sky is always "
+            "met by chance",
+        .choices = kEmitterChoices},
 };
 
 /// Asks on the way whether to go on: a pixel may take 10^9 rays.

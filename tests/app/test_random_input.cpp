@@ -52,9 +52,91 @@ Settings randomSettings(Dice& dice) {
     return settings;
 }
 
+Maker randomMaker(Dice& dice) {
+    const EstimatorInfo& info = *estimators()[dice.below(static_cast<std::uint32_t>(estimators().size()))];
+    Maker maker = makerOf(info.id);
+    for (std::size_t i = 0; i < info.params.size(); ++i) {
+        const ParamInfo& param = info.params[i];
+        if (!param.choices.empty())
+            maker.params[i] = dice.below(static_cast<std::uint32_t>(param.choices.size()));
+    }
+    if (dice.once(3)) maker.depth = dice.below(4);
+    return maker;
+}
+
+/// Something done to a thing, or a new one; it may be more than a scene can hold.
+EditScene randomEdit(Dice& dice, const AppState& state) {
+    EditScene edit{state.scene->description, state.editing.selected, dice.once(3)};
+    const std::vector<Thing> things = thingsOf(edit.scene);
+    const Vec2 place(dice.between(-2, 5), dice.between(-2, 5));
+    const double far = dice.once(20) ? 1e12 : 1.0;
+    if (things.empty() || dice.once(4)) {
+        const Tool tool = kTools[dice.below(static_cast<std::uint32_t>(kTools.size()))].value;
+        if (const auto added = addThing(edit.scene, tool, place, far * Vec2(dice.between(-2, 5), place.y)))
+            edit.selected = added;
+        return edit;
+    }
+    const Thing thing = things[dice.below(static_cast<std::uint32_t>(things.size()))];
+    edit.selected = thing;
+    switch (dice.below(7)) {
+        case 0:
+            moveBy(edit.scene, thing, far * place);
+            break;
+        case 1: {
+            const auto handles = static_cast<std::uint32_t>(handlesOf(edit.scene, thing).size());
+            if (handles > 0) pullHandle(edit.scene, thing, dice.below(handles), far * place);
+            break;
+        }
+        case 2:
+            turnBy(edit.scene, thing, dice.between(-400, 400));
+            break;
+        case 3:
+            scaleBy(edit.scene, thing, dice.once(10) ? 1e-9 : static_cast<double>(dice.between(0.5f, 2.0f)));
+            break;
+        case 4:
+            edit.selected = copyOf(edit.scene, thing, place);
+            break;
+        case 5:
+            remove(edit.scene, thing);
+            break;
+        default:
+            flip(edit.scene, thing);
+            if (thing.kind == ThingKind::shape)
+                edit.scene.shapes[thing.index].material = addMaterial(edit.scene, dice.below(5));
+    }
+    return edit;
+}
+
+Command randomEditing(Dice& dice, const AppState& state) {
+    switch (dice.below(8)) {
+        case 0:
+            return SetEditing{!dice.once(4)};
+        case 1:
+            return SetTool{kTools[dice.below(static_cast<std::uint32_t>(kTools.size()))].value};
+        case 2:
+            return SelectThing{Thing{static_cast<ThingKind>(dice.below(3)), dice.below(6)}};
+        case 3:
+            return Undo{};
+        case 4:
+            return Redo{};
+        default:
+            return randomEdit(dice, state);
+    }
+}
+
 Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::filesystem::path>& files) {
     const auto walls = static_cast<std::uint32_t>(state.scene->scene.segments.size());
-    switch (dice.below(20)) {
+    switch (dice.below(26)) {
+        case 20:
+        case 21:
+        case 22:
+        case 23:
+            return randomEditing(dice, state);
+        case 24:
+            return SetMakers{
+                {randomMaker(dice), dice.once(2) ? std::optional(randomMaker(dice)) : std::nullopt}};
+        case 25:
+            return SetSplit{dice.between(-1, 2)};
         case 0:
             return GoTo{"controls", dice.below(12)};
         case 1:
@@ -180,6 +262,8 @@ void checkSurvives(std::uint32_t seed) {
     const auto files = garbage(lessons.folder);
     Dice dice{std::mt19937(seed)};
     Rig rig(openLesson(lessons.folder, LessonRef{"controls", 1}));
+    rig.session.state.editing.path =
+        (lessons.folder / "saved.toml").string();  // Ctrl S comes by chance as well
     for (int event = 0; event < kEvents; ++event) {
         CAPTURE(event);
         act(dice, rig, files);
@@ -198,7 +282,46 @@ void checkSurvives(std::uint32_t seed) {
     CHECK(rig.state().answer->asked.settings == rig.state().settings);
 }
 
+/// Hands that change one scene, by keys, pointer and commands; then all is taken back.
+void checkUndoes(std::uint32_t seed) {
+    const LessonsCopy lessons;
+    Dice dice{std::mt19937(seed)};
+    Rig rig(openScene(lessons.folder, lessons.folder / "scenes/box.toml"));
+    rig.session.state.editing.path = (lessons.folder / "saved.toml").string();
+    rig.apply(SetEditing{true});
+    const SceneDescription first = rig.state().scene->description;
+    constexpr int kChanges = 1500;
+    constexpr std::size_t kMostThings = 30;
+    for (int i = 0; i < kChanges; ++i) {
+        CAPTURE(i);
+        const bool many = thingsOf(rig.state().scene->description).size() > kMostThings;
+        if (dice.once(2))
+            rig.host->queue(randomPlace(dice, rig));
+        else if (dice.once(2))
+            rig.host->queue(MouseButton{0, !dice.once(2)});
+        else if (many)
+            apply(rig.session.state, Undo{});
+        else
+            halfdisk::apply(rig.session.state, randomEditing(dice, rig.state()));
+        rig.driver.frames();
+        checkWhole(rig.state());
+        REQUIRE(faultOf(rig.state().scene->description).empty());
+    }
+    letGoOfEverything(rig);
+    for (int i = 0; i < 10 * kChanges && !rig.state().editing.history.past.empty(); ++i)
+        apply(rig.session.state, Undo{});
+    CHECK(rig.state().scene->description == first);
+    while (!rig.state().editing.history.future.empty()) apply(rig.session.state, Redo{});
+    rig.driver.frames();
+    rig.settle();
+    CHECK(rig.state().answer->asked.scene == rig.state().scene);
+}
+
 }  // namespace
+
+TEST_CASE("after random changes of a scene, undo returns to the first state") {
+    checkUndoes(3);
+}
 
 // Two halves, which CTest runs side by side.
 TEST_CASE("random events leave the program whole: the first half of five thousand") {

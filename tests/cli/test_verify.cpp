@@ -32,7 +32,7 @@ TEST_CASE("verify: a teacher's own claim, true and false") {
     CHECK(held.exitCode == 0);
     CHECK(held.err.empty());
     CHECK(held.out.find("true  mine:1  What I say") == 0);
-    CHECK(held.out.find("1 claims, 1 of them true") != std::string::npos);
+    CHECK(held.out.find("1 claim, 1 of them true") != std::string::npos);
 
     const std::string file = lessonWith(folder, claim + "equals = 3\ntolerance = 0.2\n");
     const Outcome failed = runProgram({"verify", file});

@@ -166,8 +166,9 @@ void drawLights(const Canvas& canvas) {
             drawSun(canvas, canvas.screen(point->position), canvas.px(7));
         if (const auto* sun = std::get_if<DirectionalLight>(&light)) {
             const Vec2 direction = glm::normalize(sun->direction);
-            const ImVec2 start{canvas.rect.center().x - canvas.px(100),
-                               canvas.rect.min.y + canvas.px(30 + sunRow)};
+            const ImVec2 start{
+                std::max(canvas.rect.center().x - canvas.px(200), canvas.rect.min.x + canvas.px(20)),
+                canvas.rect.min.y + canvas.px(30 + sunRow)};
             const ImVec2 step{canvas.px(48) * static_cast<float>(direction.x),
                               -canvas.px(48) * static_cast<float>(direction.y)};
             for (int i = 0; i < 4; ++i) {

@@ -31,6 +31,7 @@ struct WindowRequest {
     std::optional<LessonRef> lesson;             ///< none: the first lesson
     std::optional<std::filesystem::path> scene;  ///< shown in place of the lesson's own
     ClassRules rules{};
+    std::optional<std::string> shared{};  ///< a text of share_text.h, in place of lesson and scene
 };
 
 struct ScreenshotRequest {

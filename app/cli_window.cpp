@@ -15,6 +15,7 @@ struct WindowTexts {
     std::optional<std::string> lesson, scene;
     std::vector<std::string> locks, hidden;
     bool kiosk = false;
+    std::optional<std::string> state;
 };
 
 WindowRequest windowRequest(const WindowTexts& texts, const std::filesystem::path& lessonsFolder) {
@@ -22,6 +23,9 @@ WindowRequest windowRequest(const WindowTexts& texts, const std::filesystem::pat
     for (const std::string& text : texts.locks) addLock(request.rules, text);
     for (const std::string& text : texts.hidden) addHidden(request.rules, text);
     request.rules.kiosk = texts.kiosk;
+    if (texts.state && (texts.lesson || texts.scene))
+        throw InputError("--state holds the lesson and the scene, expected no other");
+    request.shared = texts.state;
     if (texts.lesson) request.lesson = parseLessonRef(*texts.lesson);
     if (texts.scene) request.scene = *texts.scene;
     return request;
@@ -53,6 +57,8 @@ void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
     app.add_flag(
         "--kiosk", texts->kiosk,
         "for a class: this lesson only; no other files, no editing, nothing unlocked but what the step does");
+    app.add_option("--state", texts->state, "all that somebody saw, as \"Copy state\" gave it")
+        ->type_name("TEXT");
     addLessonsFolder(app, lessonsFolder);
     // Called whenever parsing succeeds, after the callbacks of the subcommands.
     app.final_callback([&app, &chosen, texts, &lessonsFolder] {
@@ -62,6 +68,8 @@ void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
             throw InputError("'" + *texts->lesson + "' was not expected before or after a command");
         } else if (texts->scene) {
             throw InputError("--scene was not expected before a command");
+        } else if (texts->state) {
+            throw InputError("--state was not expected before a command");
         } else if (texts->kiosk || !texts->locks.empty() || !texts->hidden.empty()) {
             throw InputError("--lock, --hide and --kiosk were not expected before a command");
         }

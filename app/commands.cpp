@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/edit_commands.h"
+#include "app/share_text.h"
 #include "core/overload.h"
 #include "lessons/lesson_file.h"
 
@@ -68,8 +69,8 @@ void goTo(AppState& state, const LessonRef& ref) {
     showLesson(state, std::move(lesson), step);
 }
 
-void showSceneAlone(AppState& state, const std::filesystem::path& file) {
-    showScene(state, loadScene(file), file);
+void showDescribed(AppState& state, SceneDescription scene, const std::filesystem::path& file) {
+    showScene(state, std::move(scene), file);
     state.lesson.reset();
     state.step = 0;
     state.sceneOverride = file;
@@ -78,8 +79,30 @@ void showSceneAlone(AppState& state, const std::filesystem::path& file) {
     for (const View view : {View::halfdisk, View::rays, View::integrand, View::error, View::histogram,
                             View::exact, View::numbers})
         state.show.set(view, true);
+    state.show = state.show - state.rules.hidden;
+    state.makers = {};
     askAnew(state);
     state.playback.stepping = false;
+}
+
+void showSceneAlone(AppState& state, const std::filesystem::path& file) {
+    showDescribed(state, loadScene(file), file);
+}
+
+/// What somebody else saw. The window, and what the class may do, stay as they are.
+void showShared(AppState& state, const std::string& text) {
+    AppState shared = openShared(state.lessonsFolder, text);
+    replaceScene(state, shared.scene);
+    state.lesson = std::move(shared.lesson);
+    state.step = shared.step;
+    state.sceneOverride = shared.sceneOverride;
+    state.settings = shared.settings;
+    state.at = shared.at;
+    state.show = shared.show - state.rules.hidden;
+    state.makers = shared.makers;
+    askAnew(state);
+    state.playback = shared.playback;
+    state.fitCamera = true;
 }
 
 void openAny(AppState& state, const std::filesystem::path& file) {
@@ -148,109 +171,112 @@ bool isForbidden(const AppState& state, const Command& command) {
     if (!state.rules.kiosk) return false;
     if (const auto* go = std::get_if<GoTo>(&command))
         return !state.lesson || go->lesson != state.lesson->slug;
-    return std::holds_alternative<OpenScene>(command) || std::holds_alternative<OpenFile>(command) ||
-           std::holds_alternative<SetEditing>(command) || std::holds_alternative<EditScene>(command) ||
-           std::holds_alternative<SaveScene>(command) || std::holds_alternative<UnlockAll>(command);
+    return std::holds_alternative<OpenScene>(command) || std::holds_alternative<OpenShared>(command) ||
+           std::holds_alternative<OpenFile>(command) || std::holds_alternative<SetEditing>(command) ||
+           std::holds_alternative<EditScene>(command) || std::holds_alternative<SaveScene>(command) ||
+           std::holds_alternative<UnlockAll>(command);
 }
 
 void applyUnchecked(AppState& state, const Command& command) {
     if (isForbidden(state, command)) return;
-    std::visit(Overload{
-                   [&](const GoTo& c) {
-                       attempt(state, [&](AppState& next) {
-                           next.sceneOverride.clear();
-                           goTo(next, {c.lesson, static_cast<int>(c.step) + 1});
-                       });
-                   },
-                   [&](NextStep) {
-                       if (state.lesson && state.step + 1 < state.lesson->steps.size())
-                           enterStep(state, state.step + 1);
-                   },
-                   [&](PreviousStep) {
-                       if (state.lesson && state.step > 0) enterStep(state, state.step - 1);
-                   },
-                   [&](ResetStep) {
-                       if (state.lesson) enterStep(state, state.step);
-                       state.fitCamera = true;
-                   },
-                   [&](const OpenScene& c) {
-                       attempt(state, [&](AppState& next) { showSceneAlone(next, c.file); });
-                   },
-                   [&](const OpenFile& c) { attempt(state, [&](AppState& next) { openAny(next, c.file); }); },
-                   [&](Reload) { attempt(state, reload); },
-                   [&](const SetSettings& c) {
-                       if (state.settings == c.settings) return;
-                       state.settings = c.settings;
-                       askAnew(state);
-                   },
-                   [&](const SetMakers& c) {
-                       if (state.makers == c.makers) return;
-                       state.makers = c.makers;
-                       ++state.questionId;  // the run and its playback stay
-                   },
-                   [&](SetSplit c) { state.split = std::clamp(c.split, 0.0f, 1.0f); },
-                   [&](SetEditing c) { setEditing(state, c.on); },
-                   [&](SetTool c) { state.editing.tool = c.tool; },
-                   [&](SetSnap c) { state.editing.snap = c.on; },
-                   [&](const SelectThing& c) {
-                       const bool there = c.thing && exists(state.scene->description, *c.thing);
-                       state.editing.selected = there ? c.thing : std::nullopt;
-                       state.editing.message.clear();
-                   },
-                   [&](const BeginGesture& c) {
-                       Editing& editing = state.editing;
-                       editing.start = state.scene;
-                       editing.grabbed = c.place;
-                       editing.handle = c.handle;
-                       editing.changing = false;
-                   },
-                   [&](const EditScene& c) { editScene(state, c); },
-                   [&](Undo) { undo(state); },
-                   [&](Redo) { redo(state); },
-                   [&](const SetScenePath& c) {
-                       state.editing.path = c.path;
-                       state.editing.confirmed = false;
-                   },
-                   [&](const SaveScene& c) { saveEdited(state, c); },
-                   [&](const MovePoint& c) {
-                       if (state.at == c.at || c.at.segment >= state.scene->scene.segments.size()) return;
-                       state.at = {c.at.segment, std::clamp(c.at.t, 0.0, 1.0)};
-                       askAnew(state);
-                   },
-                   [&](SetEvent c) {
-                       state.playback = {true, std::min(c.event, state.eventCount()), false, 0.0f};
-                   },
-                   [&](StepEvents c) { stepEvents(state, c.by); },
-                   [&](JumpToLine c) { jumpToLine(state, c.line); },
-                   [&](ShowWholeRun) { state.playback = {}; },
-                   [&](TogglePlay) {
-                       Playback& playback = state.playback;
-                       playback.playing = !playback.playing;
-                       if (playback.playing && (!playback.stepping || playback.event >= state.eventCount()))
-                           playback.event = 0;
-                       playback.stepping = true;
-                   },
-                   [&](const SetCamera& c) {
-                       state.camera = c.camera;
-                       state.fitCamera = c.fitted;
-                   },
-                   [&](FitCamera) { state.fitCamera = true; },
-                   [&](ScrolledTo c) { state.litLine = c.line; },
-                   [&](SetGrip c) {
-                       state.grip = c.grip;
-                       if (c.grip != Grip::edit) state.editing.start.reset();
-                   },
-                   [&](SetUiScale c) { state.uiScale = std::clamp(c.scale, 0.5f, 4.0f); },
-                   [&](SetView c) { setView(state, c); },
-                   [&](LookAlong c) { state.eyePixel = c.pixel; },
-                   [&](ShowPane c) { state.pane = c.pane; },
-                   [&](HideCanvas c) { state.canvasHidden = c.hidden; },
-                   [&](RevealAnswer) { state.answerShown = true; },
-                   [&](UnlockAll c) { state.unlockAll = c.on; },
-                   [&](ToggleHelp) { state.helpShown = !state.helpShown; },
-                   [&](DismissBanner) { state.banner.clear(); },
-               },
-               command);
+    std::visit(
+        Overload{
+            [&](const GoTo& c) {
+                attempt(state, [&](AppState& next) {
+                    next.sceneOverride.clear();
+                    goTo(next, {c.lesson, static_cast<int>(c.step) + 1});
+                });
+            },
+            [&](NextStep) {
+                if (state.lesson && state.step + 1 < state.lesson->steps.size())
+                    enterStep(state, state.step + 1);
+            },
+            [&](PreviousStep) {
+                if (state.lesson && state.step > 0) enterStep(state, state.step - 1);
+            },
+            [&](ResetStep) {
+                if (state.lesson) enterStep(state, state.step);
+                state.fitCamera = true;
+            },
+            [&](const OpenScene& c) {
+                attempt(state, [&](AppState& next) { showSceneAlone(next, c.file); });
+            },
+            [&](const OpenFile& c) { attempt(state, [&](AppState& next) { openAny(next, c.file); }); },
+            [&](const OpenShared& c) { attempt(state, [&](AppState& next) { showShared(next, c.text); }); },
+            [&](Reload) { attempt(state, reload); },
+            [&](const SetSettings& c) {
+                if (state.settings == c.settings) return;
+                state.settings = c.settings;
+                askAnew(state);
+            },
+            [&](const SetMakers& c) {
+                if (state.makers == c.makers) return;
+                state.makers = c.makers;
+                ++state.questionId;  // the run and its playback stay
+            },
+            [&](SetSplit c) { state.split = std::clamp(c.split, 0.0f, 1.0f); },
+            [&](SetEditing c) { setEditing(state, c.on); },
+            [&](SetTool c) { state.editing.tool = c.tool; },
+            [&](SetSnap c) { state.editing.snap = c.on; },
+            [&](const SelectThing& c) {
+                const bool there = c.thing && exists(state.scene->description, *c.thing);
+                state.editing.selected = there ? c.thing : std::nullopt;
+                state.editing.message.clear();
+            },
+            [&](const BeginGesture& c) {
+                Editing& editing = state.editing;
+                editing.start = state.scene;
+                editing.grabbed = c.place;
+                editing.handle = c.handle;
+                editing.changing = false;
+            },
+            [&](const EditScene& c) { editScene(state, c); },
+            [&](Undo) { undo(state); },
+            [&](Redo) { redo(state); },
+            [&](const SetScenePath& c) {
+                state.editing.path = c.path;
+                state.editing.confirmed = false;
+            },
+            [&](const SaveScene& c) { saveEdited(state, c); },
+            [&](const MovePoint& c) {
+                if (state.at == c.at || c.at.segment >= state.scene->scene.segments.size()) return;
+                state.at = {c.at.segment, std::clamp(c.at.t, 0.0, 1.0)};
+                askAnew(state);
+            },
+            [&](SetEvent c) {
+                state.playback = {true, std::min(c.event, state.eventCount()), false, 0.0f};
+            },
+            [&](StepEvents c) { stepEvents(state, c.by); },
+            [&](JumpToLine c) { jumpToLine(state, c.line); },
+            [&](ShowWholeRun) { state.playback = {}; },
+            [&](TogglePlay) {
+                Playback& playback = state.playback;
+                playback.playing = !playback.playing;
+                if (playback.playing && (!playback.stepping || playback.event >= state.eventCount()))
+                    playback.event = 0;
+                playback.stepping = true;
+            },
+            [&](const SetCamera& c) {
+                state.camera = c.camera;
+                state.fitCamera = c.fitted;
+            },
+            [&](FitCamera) { state.fitCamera = true; },
+            [&](ScrolledTo c) { state.litLine = c.line; },
+            [&](SetGrip c) {
+                state.grip = c.grip;
+                if (c.grip != Grip::edit) state.editing.start.reset();
+            },
+            [&](SetUiScale c) { state.uiScale = std::clamp(c.scale, 0.5f, 4.0f); },
+            [&](SetView c) { setView(state, c); },
+            [&](LookAlong c) { state.eyePixel = c.pixel; },
+            [&](ShowPane c) { state.pane = c.pane; },
+            [&](HideCanvas c) { state.canvasHidden = c.hidden; },
+            [&](RevealAnswer) { state.answerShown = true; },
+            [&](UnlockAll c) { state.unlockAll = c.on; },
+            [&](ToggleHelp) { state.helpShown = !state.helpShown; },
+            [&](DismissBanner) { state.banner.clear(); },
+        },
+        command);
 }
 
 }  // namespace
@@ -282,6 +308,14 @@ AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optio
         return state;
     }
     throw InputError(lessonsFolder.string() + ": no lesson that can be read, expected files NN-name.toml");
+}
+
+AppState openDescribed(const std::filesystem::path& lessonsFolder, const SceneDescription& scene) {
+    AppState state;
+    state.lessonsFolder = lessonsFolder;
+    state.lessons = listLessons(lessonsFolder);
+    showDescribed(state, scene, "shared.toml");
+    return state;
 }
 
 void setRules(AppState& state, const ClassRules& rules) {

@@ -24,6 +24,9 @@ struct OpenScene {
 struct OpenFile {
     std::filesystem::path file;  ///< a lesson or a scene, told apart by what is in it
 };
+struct OpenShared {
+    std::string text;  ///< see share_text.h
+};
 struct Reload {};  ///< read the files again; the step stays
 struct SetSettings {
     Settings settings;
@@ -112,11 +115,11 @@ struct ToggleHelp {};
 struct DismissBanner {};
 
 using Command =
-    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, Reload, SetSettings, SetMakers,
-                 SetSplit, SetEditing, SetTool, SetSnap, SelectThing, BeginGesture, EditScene, Undo, Redo,
-                 SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, ShowWholeRun,
-                 TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong,
-                 ShowPane, HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
+    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, Reload,
+                 SetSettings, SetMakers, SetSplit, SetEditing, SetTool, SetSnap, SelectThing, BeginGesture,
+                 EditScene, Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine,
+                 ShowWholeRun, TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView,
+                 LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.
@@ -126,6 +129,9 @@ void apply(AppState& state, const Command& command);
 /// lesson's own. Throws InputError.
 AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optional<LessonRef>& ref,
                     const std::filesystem::path& scene = {});
+
+/// The same for a scene that no file holds.
+AppState openDescribed(const std::filesystem::path& lessonsFolder, const SceneDescription& scene);
 
 /// From now on, beginning with the step that is open.
 void setRules(AppState& state, const ClassRules& rules);

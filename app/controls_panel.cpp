@@ -6,6 +6,7 @@
 
 #include "app/draw_text.h"
 #include "app/panels.h"
+#include "app/share_text.h"
 
 namespace halfdisk {
 namespace {
@@ -149,6 +150,11 @@ void controlsPanel(const Ui& ui) {
     sameLineIfFits("Reset", width);
     if (button(ui.widgets, "Reset", {width, 0})) ui.commands.push_back(ResetStep{});
     tooltip("everything as the step began (R)");
+    if (button(ui.widgets, "Copy state", {-1, 0})) ImGui::SetClipboardText(shareText(state).c_str());
+    tooltip(
+        "all that is seen here as one text, to be pasted into another Halfdisk (Ctrl C, Ctrl V) or started "
+        "with: "
+        "halfdisk --state TEXT");
 }
 
 }  // namespace halfdisk

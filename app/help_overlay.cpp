@@ -39,6 +39,7 @@ constexpr std::array kKeys{
     KeyHelp{"Ctrl Z  Ctrl Y", "undo / redo a change of the scene"},
     KeyHelp{"Ctrl D  Delete", "copy / delete what is selected"},
     KeyHelp{"Ctrl S", "save the scene"},
+    KeyHelp{"Ctrl C  Ctrl V", "copy all that is seen as a text / see what such a text says"},
     KeyHelp{"V  Shift V", "what the eye sees / the field of light on / off"},
     KeyHelp{"Ctrl +  Ctrl -", "everything larger / smaller"},
     KeyHelp{"? or F1", "this help"},

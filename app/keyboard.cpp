@@ -5,6 +5,7 @@
 
 #include "app/imgui_compat.h"
 #include "app/panels.h"
+#include "app/share_text.h"
 
 namespace halfdisk {
 namespace {
@@ -113,6 +114,14 @@ void editKeys(const Ui& ui) {
 }
 
 /// With Ctrl held.
+void shareKeys(const Ui& ui) {
+    if (keyPressed(Key::c, false)) ImGui::SetClipboardText(shareText(ui.state).c_str());
+    if (!keyPressed(Key::v, false)) return;
+    const char* text = ImGui::GetClipboardText();
+    if (text != nullptr && isShareText(text)) ui.commands.push_back(OpenShared{text});
+}
+
+/// With Ctrl held.
 void historyKeys(const Ui& ui) {
     const Editing& editing = ui.state.editing;
     if (!editing.on) return;
@@ -162,6 +171,7 @@ void keyboard(const Ui& ui) {
         if (keyPressed(Key::digit0)) ui.commands.push_back(SetUiScale{1.0f});
         panKeys(ui);
         historyKeys(ui);
+        shareKeys(ui);
         return;
     }
     lessonKeys(ui);

@@ -110,10 +110,13 @@ void errorPlot(const Ui& ui, ImVec2 size) {
                   {std::pow(10.0, std::floor(std::log10(low * 0.7))),
                    std::pow(10.0, std::ceil(std::log10(high * 1.2))), true, "rms error of E, W/m", 0.0});
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    // Independent samples lie along it. Few of them may have met no lamp at all, so not the first dot
-    // decides.
-    double ofOne = 0.0;
-    for (const ErrorPoint& p : answer.errors) ofOne = std::max(ofOne, p.rms * std::sqrt(p.samples));
+    // Independent samples lie along it: in the middle of the dots, for the first ones may have met no lamp at
+    // all. Stratified ones fall below the line on which they begin.
+    std::vector<double> ofOnes;
+    for (const ErrorPoint& p : answer.errors) ofOnes.push_back(p.rms * std::sqrt(p.samples));
+    std::sort(ofOnes.begin(), ofOnes.end());
+    const bool independent = answer.asked.settings.sampler != Sampler::stratified;
+    const double ofOne = independent ? ofOnes[ofOnes.size() / 2] : ofOnes.back();
     plotLine(plot, {plot.at(1.0, ofOne), plot.at(1.25 * mostN, ofOne / std::sqrt(1.25 * mostN))},
              ui.palette.inkSoft, 1.5f * ui.scale);
     list.PushClipRect(plot.area.min, plot.area.max, true);

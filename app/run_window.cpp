@@ -9,12 +9,14 @@
 #include "app/commands.h"
 #include "app/file_watch.h"
 #include "app/frame.h"
+#include "app/share_text.h"
 #include "app/window_host.h"
 
 namespace halfdisk {
 namespace {
 
 AppState openRequested(const WindowRequest& request) {
+    if (request.shared) return openShared(request.lessonsFolder, *request.shared);
     if (request.scene && !request.lesson) return openScene(request.lessonsFolder, *request.scene);
     return openLesson(request.lessonsFolder, request.lesson, request.scene.value_or(std::filesystem::path()));
 }
@@ -24,7 +26,8 @@ AppState openRequested(const WindowRequest& request) {
 int runWindow(const WindowRequest& request) {
     Session session;
     session.state = openRequested(request);
-    setRules(session.state, request.rules);
+    if (!request.shared) setRules(session.state, request.rules);
+    session.state.rules = request.rules;
 
     WindowOptions options;
     options.onDrop = [&](const std::vector<std::filesystem::path>& files) {

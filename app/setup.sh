@@ -7,7 +7,7 @@ set -euo pipefail
 readonly packages=(
     cmake g++ ninja-build pkg-config
     doctest-dev libcli11-dev libeigen3-dev libfmt-dev libfreetype-dev libgl-dev libglfw3-dev libglm-dev libimgui-dev
-    libosmesa6 libosmesa6-dev libpng-dev librandom123-dev libtomlplusplus-dev nlohmann-json3-dev
+    libosmesa6 libosmesa6-dev libpng-dev zlib1g-dev librandom123-dev libtomlplusplus-dev nlohmann-json3-dev
     fonts-dejavu-core fonts-inter
 )
 readonly test_packages=(

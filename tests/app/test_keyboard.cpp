@@ -252,6 +252,57 @@ void exactNumber(Rig&) {}  // "a double click on N types it, too"
 using Check = void (*)(Rig&);
 
 /// By a part of what the help says about the key.
+void editing(Rig& rig) {
+    rig.driver.pressKey(Key::x);
+    CHECK(rig.state().editing.on);
+    rig.driver.pressKey(Key::x);
+    CHECK_FALSE(rig.state().editing.on);
+}
+
+/// Selects the first thing, with editing on.
+void selectFirst(Rig& rig) {
+    rig.driver.pressKey(Key::x);
+    rig.apply(SelectThing{Thing{ThingKind::shape, 0}});
+    rig.driver.frames(2);
+}
+
+void copyAndDelete(Rig& rig) {
+    selectFirst(rig);
+    const std::size_t before = rig.state().scene->description.shapes.size();
+    rig.driver.pressKey(Key::ctrl, Key::d);
+    CHECK(rig.state().scene->description.shapes.size() == before + 1);
+    rig.driver.pressKey(Key::del);
+    CHECK(rig.state().scene->description.shapes.size() == before);
+}
+
+void undoAndRedo(Rig& rig) {
+    selectFirst(rig);
+    const SceneDescription before = rig.state().scene->description;
+    rig.driver.pressKey(Key::ctrl, Key::d);
+    const SceneDescription after = rig.state().scene->description;
+    rig.driver.pressKey(Key::ctrl, Key::z);
+    CHECK(rig.state().scene->description == before);
+    rig.driver.pressKey(Key::ctrl, Key::y);
+    CHECK(rig.state().scene->description == after);
+}
+
+void saving(Rig& rig) {
+    const LessonsCopy folder;
+    rig.driver.pressKey(Key::x);
+    const auto file = folder.folder / "saved.toml";
+    rig.apply(SetScenePath{file.string()});
+    rig.driver.pressKey(Key::ctrl, Key::s);
+    CHECK(std::filesystem::exists(file));
+}
+
+void sharing(Rig& rig) {
+    rig.apply(MovePoint{{1, 0.125}});
+    rig.driver.pressKey(Key::ctrl, Key::c);
+    rig.apply(MovePoint{{0, 0.5}});
+    rig.driver.pressKey(Key::ctrl, Key::v);
+    CHECK(rig.state().at == WallPoint{1, 0.125});
+}
+
 const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", lessonStep},
                                                     {"previous step of the lesson", lessonStepBack},
                                                     {"reset", reset},
@@ -277,6 +328,11 @@ const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", 
                                                     {"everything larger", size},
                                                     {"this help", help},
                                                     {"drag P", mouse},
+                                                    {"change the scene, or", editing},
+                                                    {"undo / redo", undoAndRedo},
+                                                    {"copy / delete", copyAndDelete},
+                                                    {"save the scene", saving},
+                                                    {"copy all that is seen", sharing},
                                                     {"type it exactly", exactNumber}};
 
 }  // namespace

@@ -39,7 +39,7 @@ TEST_CASE("verify: a teacher's own claim, true and false") {
     CHECK(failed.exitCode == 1);
     CHECK(failed.err.find(file + ":15:10: not true: \"What I say\": standardError is ") == 0);
     CHECK(failed.err.find("expected 3 +- 0.2") != std::string::npos);
-    CHECK(failed.out == "1 claims, 0 of them true\n");
+    CHECK(failed.out == "1 claim, 0 of them true\n");
 }
 
 TEST_CASE("verify: the same on any number of threads, and as JSON") {

@@ -1,0 +1,213 @@
+#include "app/share_text.h"
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "app/commands.h"
+#include "lessons/scene_file.h"
+
+namespace halfdisk {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kPrefix = "halfdisk.";
+constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
+constexpr std::size_t kMostBytes = 16u << 20;  // of what a text holds: a scene of 10^5 walls
+
+[[noreturn]] void failDamaged() {
+    throw InputError(
+        "the shared text is damaged or not from this program, expected all of what \"Copy state\" gave");
+}
+
+/// Base64 with the alphabet of RFC 4648, section 5, without padding.
+std::string encoded(const std::vector<unsigned char>& bytes) {
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 3) {
+        std::uint32_t group = 0;
+        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+        for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? bytes[i + k] : 0u);
+        for (std::size_t k = 0; k <= count; ++k) text += kAlphabet[group >> (18 - 6 * k) & 63u];
+    }
+    return text;
+}
+
+std::vector<unsigned char> decoded(std::string_view text) {
+    std::vector<unsigned char> bytes;
+    std::uint32_t group = 0;
+    int bits = 0;
+    for (const char c : text) {
+        if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
+        const std::size_t value = kAlphabet.find(c);
+        if (value == std::string_view::npos) failDamaged();
+        group = group << 6 | static_cast<std::uint32_t>(value);
+        bits += 6;
+        if (bits < 8) continue;
+        bits -= 8;
+        bytes.push_back(static_cast<unsigned char>(group >> bits & 0xFFu));
+    }
+    return bytes;
+}
+
+std::vector<unsigned char> packed(const std::string& text) {
+    uLongf size = compressBound(text.size());
+    std::vector<unsigned char> bytes(size);
+    compress2(bytes.data(), &size, reinterpret_cast<const Bytef*>(text.data()), text.size(),
+              Z_BEST_COMPRESSION);
+    bytes.resize(size);
+    return bytes;
+}
+
+/// Never more than kMostBytes, whatever the bytes promise.
+std::string unpacked(const std::vector<unsigned char>& bytes) {
+    std::string text;
+    z_stream stream{};
+    if (inflateInit(&stream) != Z_OK) failDamaged();
+    stream.next_in = const_cast<Bytef*>(bytes.data());
+    stream.avail_in = static_cast<uInt>(bytes.size());
+    std::array<char, 65536> chunk;
+    int result = Z_OK;
+    while (result == Z_OK && text.size() <= kMostBytes) {
+        stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
+        stream.avail_out = static_cast<uInt>(chunk.size());
+        result = inflate(&stream, Z_NO_FLUSH);
+        text.append(chunk.data(), chunk.size() - stream.avail_out);
+    }
+    inflateEnd(&stream);
+    if (result != Z_STREAM_END || text.size() > kMostBytes) failDamaged();
+    return text;
+}
+
+Json jsonOf(const Maker& maker) {
+    Json json{{"estimator", maker.estimator}, {"params", maker.params}};
+    if (maker.depth) json["depth"] = *maker.depth;
+    return json;
+}
+
+/// A whole number within what the window allows.
+std::uint64_t whole(const Json& json, const char* key, std::uint64_t least, std::uint64_t most) {
+    if (!json.contains(key) || !json[key].is_number_unsigned()) failDamaged();
+    const auto value = json[key].get<std::uint64_t>();
+    if (value < least || value > most) failDamaged();
+    return value;
+}
+
+template <class Enum, std::size_t Count>
+Enum named(const Json& json, const char* key, const std::array<Named<Enum>, Count>& table) {
+    if (!json.contains(key) || !json[key].is_string()) failDamaged();
+    const auto value = valueOf(table, json[key].get<std::string>());
+    if (!value) failDamaged();
+    return *value;
+}
+
+Maker makerOfJson(const Json& json) {
+    if (!json.is_object() || !json.contains("estimator") || !json["estimator"].is_string() ||
+        !json.contains("params"))
+        failDamaged();
+    const EstimatorInfo* info = findEstimator(json["estimator"].get<std::string>());
+    if (!info || !json["params"].is_array() || json["params"].size() != info->params.size()) failDamaged();
+    Maker maker = makerOf(info->id);
+    for (std::size_t i = 0; i < maker.params.size(); ++i) {
+        const ParamInfo& param = info->params[i];
+        if (!json["params"][i].is_number()) failDamaged();
+        const double value = json["params"][i].get<double>();
+        const bool choice = !param.choices.empty();
+        const double most = choice ? static_cast<double>(param.choices.size()) - 1.0 : param.most;
+        if (!(value >= (choice ? 0.0 : param.least) && value <= most)) failDamaged();
+        if ((choice || param.whole) && value != std::floor(value)) failDamaged();
+        maker.params[i] = value;
+    }
+    if (json.contains("depth")) maker.depth = static_cast<std::uint32_t>(whole(json, "depth", 0, 64));
+    return maker;
+}
+
+void readSettings(const Json& json, Settings& settings) {
+    settings.samples = static_cast<std::uint32_t>(whole(json, "samples", 1, kMostLessonSamples));
+    settings.maxDepth = static_cast<std::uint32_t>(whole(json, "depth", 0, kMostLessonDepth));
+    settings.seed = whole(json, "seed", 0, kSeedInfo.most);
+    settings.sampler = named(json, "sampler", kSamplers);
+    settings.emitters = named(json, "emitters", kEmitters);
+    settings.defects.bits = static_cast<std::uint8_t>(whole(json, "defects", 0, DefectSet::all().bits));
+}
+
+AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
+    AppState state;
+    SceneDescription scene;
+    const bool ownScene = json.contains("scene") && json["scene"].is_string();
+    if (ownScene) scene = parseScene(json["scene"].get<std::string>(), "the shared scene");
+    if (json.contains("lesson") && json["lesson"].is_string()) {
+        const auto step = static_cast<int>(whole(json, "step", 1, 200));
+        state = openLesson(lessonsFolder, LessonRef{json["lesson"].get<std::string>(), step});
+        if (ownScene) apply(state, EditScene{scene, std::nullopt, false});
+    } else if (ownScene) {
+        state = openDescribed(lessonsFolder, scene);
+    } else {
+        failDamaged();
+    }
+    if (!state.editing.message.empty()) throw InputError(state.editing.message);
+    readSettings(json, state.settings);
+    state.at.segment =
+        static_cast<std::uint32_t>(whole(json, "wall", 0, state.scene->scene.segments.size() - 1));
+    if (!json.contains("t") || !json["t"].is_number()) failDamaged();
+    state.at.t = json["t"].get<double>();
+    if (!(state.at.t >= 0.0 && state.at.t <= 1.0)) failDamaged();
+    state.show.bits = static_cast<std::uint16_t>(whole(json, "show", 0, (1u << kViews.size()) - 1u));
+    state.makers = {};
+    if (json.contains("first")) state.makers.first = makerOfJson(json["first"]);
+    if (json.contains("second")) state.makers.second = makerOfJson(json["second"]);
+    state.playback.stepping = json.contains("event");
+    state.playback.event = state.playback.stepping ? whole(json, "event", 0, UINT32_MAX) : 0;
+    ++state.questionId;
+    return state;
+}
+
+}  // namespace
+
+std::string shareText(const AppState& state) {
+    Json json;
+    const bool ofLesson = state.lesson && state.sceneOverride.empty();
+    if (ofLesson) {
+        json["lesson"] = state.lesson->slug;
+        json["step"] = state.step + 1;
+    }
+    SceneDescription scene = state.scene->description;
+    if (!ofLesson || !(scene == state.lesson->scene)) {
+        scene.environment.image.clear();  // the picture's colours go along instead of its name
+        json["scene"] = writeScene(scene);
+    }
+    const Settings& settings = state.settings;
+    json["samples"] = settings.samples;
+    json["depth"] = settings.maxDepth;
+    json["seed"] = settings.seed;
+    json["sampler"] = std::string(nameOf(kSamplers, settings.sampler));
+    json["emitters"] = std::string(nameOf(kEmitters, settings.emitters));
+    json["defects"] = settings.defects.bits;
+    json["wall"] = state.at.segment;
+    json["t"] = state.at.t;
+    json["show"] = state.show.bits;
+    if (state.makers.first) json["first"] = jsonOf(*state.makers.first);
+    if (state.makers.second) json["second"] = jsonOf(*state.makers.second);
+    if (state.playback.stepping) json["event"] = state.playback.event;
+    return std::string(kPrefix) + encoded(packed(json.dump()));
+}
+
+bool isShareText(std::string_view text) {
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    return start != std::string_view::npos && text.substr(start, kPrefix.size()) == kPrefix;
+}
+
+AppState openShared(const std::filesystem::path& lessonsFolder, std::string_view text) {
+    if (!isShareText(text)) failDamaged();
+    const std::string_view body = text.substr(text.find(kPrefix) + kPrefix.size());
+    const Json json = Json::parse(unpacked(decoded(body)), nullptr, false);
+    if (!json.is_object()) failDamaged();
+    return stateOf(lessonsFolder, json);
+}
+
+}  // namespace halfdisk

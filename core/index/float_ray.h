@@ -10,8 +10,9 @@ namespace {
 ///
 /// With h = 2^-24 (the rounding of a float), M the largest coordinate of the origin, and walls within
 /// [-1, 1]: endpoint less origin is off by 1.5 h (1 + M); each product and sum adds roundings of what it
-/// holds. Summed up, cross(D, P - O) is off by at most 16 h (1 + M), and cross(P - O, E) and T cross(D, E) by
-/// 12 h (1 + M) (|Ex| + |Ey|) together. A wall within these bounds is not sorted out.
+/// holds. Summed up, cross(D, P - O), which is the place along the wall times the slope cross(D, E), is off
+/// by at most 16 h (1 + M) on either end's side, and cross(P - O, E) and T cross(D, E) by 12 h (1 + M) (|Ex|
+/// + |Ey|) together. A wall within these bounds is not sorted out.
 struct FloatRay {
     float ox, oy, dx, dy;
     float sideSlack, wallSlack;

@@ -122,7 +122,8 @@ TEST_CASE("the same question gives the same pictures to the bit, also after one 
     second.ask(other);
     second.ask(question(2, scene, 0.75));
     const auto b = answerTo(second, question(3, scene));
-    for (const auto& [one, two] : {std::pair{a->pictures.eye, b->pictures.eye}, std::pair{a->pictures.field, b->pictures.field}}) {
+    for (const auto& [one, two] :
+         {std::pair{a->pictures.eye, b->pictures.eye}, std::pair{a->pictures.field, b->pictures.field}}) {
         REQUIRE((one && two));
         CHECK(one->film.passes == two->film.passes);
         CHECK(one->colors == two->colors);
@@ -158,7 +159,8 @@ TEST_CASE("below the glass disk castRay and the eye find exactly nothing, and th
         const Field& field = std::get<Field>(answer.pictures.field->sensor);
         const Vec2 place = (p - field.min) / (field.max - field.min) * Vec2(field.width, field.height);
         const auto row = field.height - 1 - static_cast<std::uint32_t>(place.y);
-        return answer.pictures.field->film.pixels[row * field.width + static_cast<std::uint32_t>(place.x)].mean.x;
+        return answer.pictures.field->film.pixels[row * field.width + static_cast<std::uint32_t>(place.x)]
+            .mean.x;
     };
     constexpr double kSun = 1.0;  // W/m, of the scene
     CHECK(cellAt({0.0, 0.1}) > 2.0 * kSun);

@@ -1,4 +1,5 @@
-// Does the teacher's walk of the README work, on the command line? (What the window does in it: test_editing.cpp.)
+// Does the teacher's walk of the README work, on the command line? (What the window does in it:
+// test_editing.cpp.)
 #include <doctest/doctest.h>
 
 #include <fstream>
@@ -7,7 +8,8 @@
 
 using namespace halfdisk_test;
 
-TEST_CASE("classroom: a lesson of one's own over a changed scene is verified, drawn and refused as it should be") {
+TEST_CASE(
+    "classroom: a lesson of one's own over a changed scene is verified, drawn and refused as it should be") {
     const TemporaryFolder folder;
     const std::string scene = readFile(shippedScene("glass_disk.toml"));
     const std::size_t ior = scene.find("ior = 1.5");
@@ -30,8 +32,8 @@ TEST_CASE("classroom: a lesson of one's own over a changed scene is verified, dr
     CHECK_MESSAGE(held.exitCode == 0, held.err);
     CHECK(held.out.find("2 claims, 2 of them true") != std::string::npos);
     const std::string slide = (folder / "slide.png").string();
-    const Outcome drawn =
-        runProgram({"screenshot", "my-glass:2", "--lessons", folder.path.string(), "-o", slide, "--scale", "2"});
+    const Outcome drawn = runProgram(
+        {"screenshot", "my-glass:2", "--lessons", folder.path.string(), "-o", slide, "--scale", "2"});
     CHECK_MESSAGE(drawn.exitCode == 0, drawn.err);
     CHECK(readFile(slide).substr(1, 3) == "PNG");
 

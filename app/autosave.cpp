@@ -25,17 +25,18 @@ bool isRunning(long process) {
 
 void Autosave::look(AppState& state, double now) {
     std::error_code none;
-    if (!isEdited(state)) {
+    const std::shared_ptr<const PreparedScene> unsaved = unsavedScene(state);
+    if (!unsaved) {
         if (kept_) std::filesystem::remove(file(), none);
         kept_.reset();
         return;
     }
-    if (kept_ == state.scene || now - lastWrite_ < kAutosaveSeconds) return;
+    if (kept_ == unsaved || now - lastWrite_ < kAutosaveSeconds) return;
     lastWrite_ = now;
     try {
         std::filesystem::create_directories(folder_);
-        saveScene(state.scene->description, file());
-        kept_ = state.scene;
+        saveScene(withoutFarImage(unsaved->description, file()), file());
+        kept_ = unsaved;
     } catch (const std::exception& error) {
         if (!failed_) state.banner = fmt::format("unsaved changes cannot be kept: {}", error.what());
         failed_ = true;

@@ -16,6 +16,14 @@ Enum named(std::string_view option, std::string_view text, const std::array<Name
     failArgument(option, text, fmt::format("is unknown, {}", expectedOneOf(text, namesOf(table))));
 }
 
+/// NAME:T; whether there is such a wall depends on the scene.
+void checkPlace(const std::string& text, const std::string& value) {
+    const std::size_t colon = value.rfind(':');
+    const auto t = colon == std::string::npos ? std::nullopt : parseNumber(value.substr(colon + 1));
+    if (colon == 0 || !t || !(*t >= 0.0 && *t <= 1.0))
+        failArgument(kLock, text, "is no place, expected point=WALL:T with T from 0 to 1");
+}
+
 void setValue(ClassRules& rules, Control control, const std::string& text, const std::string& value) {
     const auto whole = [&](NumberInfo info, std::uint64_t most) {
         info.most = std::min(info.most, most);
@@ -41,6 +49,7 @@ void setValue(ClassRules& rules, Control control, const std::string& text, const
             rules.defects = defectsArgument(kLock, value);
             return;
         case Control::point:
+            checkPlace(text, value);
             rules.point = value;
             return;
         case Control::estimator:
@@ -80,7 +89,9 @@ void obey(const ClassRules& rules, const Scene& scene, StepValues& values) {
     settings.sampler = rules.sampler.value_or(settings.sampler);
     settings.emitters = rules.emitters.value_or(settings.emitters);
     settings.defects = rules.defects.value_or(settings.defects);
-    if (rules.estimator) values.makers.first = makerOf(*rules.estimator);
+    const bool another =
+        rules.estimator && (!values.makers.first || values.makers.first->estimator != *rules.estimator);
+    if (another) values.makers.first = makerOf(*rules.estimator);
     if (!rules.point) return;
     try {
         values.at = parseWallPoint(*rules.point, scene);

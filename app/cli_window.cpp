@@ -46,14 +46,16 @@ void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
         ->type_name("[:STEP]");
     app.add_option("--scene", texts->scene, "scene file to show in place of the lesson's own")
         ->type_name("FILE");
-    app.add_option(
-           "--lock", texts->locks,
-           fmt::format("for a class: this control stays as it is, or at a value: {}", joinedNames(kControls)))
-        ->type_name("CONTROL[=VALUE] ...");
-    app.add_option(
-           "--hide", texts->hidden,
-           fmt::format("for a class: leave out {}, or a view: {}", joinedNames(kPanels), joinedNames(kViews)))
-        ->type_name("PANEL|VIEW ...");
+    app.add_option("--lock", texts->locks,
+                   fmt::format("for a class: this control stays as it is, or at a value; may be repeated: {}",
+                               joinedNames(kControls)))
+        ->type_name("CONTROL[=VALUE]")
+        ->allow_extra_args(false);
+    app.add_option("--hide", texts->hidden,
+                   fmt::format("for a class: leave out {}, or a view; may be repeated: {}",
+                               joinedNames(kPanels), joinedNames(kViews)))
+        ->type_name("PANEL|VIEW")
+        ->allow_extra_args(false);
     app.add_flag(
         "--kiosk", texts->kiosk,
         "for a class: this lesson only; no other files, no editing, nothing unlocked but what the step does");

@@ -1,131 +1,14 @@
 #include "app/commands.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "app/edit_commands.h"
-#include "app/share_text.h"
+#include "app/opening.h"
 #include "core/overload.h"
-#include "lessons/lesson_file.h"
 
 namespace halfdisk {
 namespace {
-
-void askAnew(AppState& state) {
-    ++state.questionId;
-    state.playback.playing = false;
-    state.playback.event = 0;
-}
-
-void showScene(AppState& state, SceneDescription description, const std::filesystem::path& file);
-
-void enterStep(AppState& state, std::size_t step) {
-    const Step& entered = state.lesson->steps[step];
-    if (state.sceneOverride.empty() && !(state.scene->description == state.lesson->scene))
-        showScene(state, state.lesson->scene, state.lesson->scenePath);
-    StepValues values = entered.values;
-    obey(state.rules, state.scene->scene, values);
-    state.step = step;
-    state.show = entered.show - state.rules.hidden;
-    state.answerShown = false;
-    state.litLine = 0;
-    state.grip = Grip::none;
-    state.eyePixel.reset();
-    if (state.sceneOverride.empty()) {
-        state.at = values.at;
-    } else {
-        state.at = WallPoint{0, 0.5};
-    }
-    state.settings = values.settings;
-    state.makers = values.makers;
-    state.split = 0.5f;
-    askAnew(state);
-    const bool stepping = entered.unlock == Control::step || entered.values.event > 0;
-    state.playback = {stepping, entered.values.event, false, 0.0f};
-}
-
-void showScene(AppState& state, SceneDescription description, const std::filesystem::path& file) {
-    auto prepared = std::make_shared<const PreparedScene>(std::move(description));
-    if (prepared->scene.segments.empty())
-        throw InputError(file.string(), "the scene has no walls to stand on, expected at least one");
-    replaceScene(state, std::move(prepared));
-    state.fitCamera = true;
-}
-
-void showLesson(AppState& state, Lesson lesson, std::size_t step) {
-    const bool sameScene =
-        state.scene && state.sceneOverride.empty() && state.scene->description == lesson.scene;
-    if (!sameScene && state.sceneOverride.empty()) showScene(state, lesson.scene, lesson.scenePath);
-    state.lesson = std::move(lesson);
-    enterStep(state, std::min(step, state.lesson->steps.size() - 1));
-}
-
-void goTo(AppState& state, const LessonRef& ref) {
-    const LessonEntry& entry = findLesson(state.lessons, ref);
-    Lesson lesson = loadLesson(entry.path);
-    const std::size_t step = stepIndex(lesson, ref);
-    showLesson(state, std::move(lesson), step);
-}
-
-void showDescribed(AppState& state, SceneDescription scene, const std::filesystem::path& file) {
-    showScene(state, std::move(scene), file);
-    state.lesson.reset();
-    state.step = 0;
-    state.sceneOverride = file;
-    state.at = WallPoint{0, 0.5};
-    state.show = {};
-    for (const View view : {View::halfdisk, View::rays, View::integrand, View::error, View::histogram,
-                            View::exact, View::numbers})
-        state.show.set(view, true);
-    state.show = state.show - state.rules.hidden;
-    state.makers = {};
-    askAnew(state);
-    state.playback.stepping = false;
-}
-
-void showSceneAlone(AppState& state, const std::filesystem::path& file) {
-    showDescribed(state, loadScene(file), file);
-}
-
-/// What somebody else saw. The window, and what the class may do, stay as they are.
-void showShared(AppState& state, const std::string& text) {
-    AppState shared = openShared(state.lessonsFolder, text);
-    replaceScene(state, shared.scene);
-    state.lesson = std::move(shared.lesson);
-    state.step = shared.step;
-    state.sceneOverride = shared.sceneOverride;
-    state.settings = shared.settings;
-    state.at = shared.at;
-    state.show = shared.show - state.rules.hidden;
-    state.makers = shared.makers;
-    askAnew(state);
-    state.playback = shared.playback;
-    state.fitCamera = true;
-}
-
-void openAny(AppState& state, const std::filesystem::path& file) {
-    if (!parseLessonFileName(file)) return showSceneAlone(state, file);
-    state.sceneOverride.clear();
-    showLesson(state, loadLesson(file), 0);
-}
-
-void reload(AppState& state) {
-    state.lessons = listLessons(state.lessonsFolder);
-    if (!state.sceneOverride.empty()) {
-        const WallPoint at = state.at;
-        if (isEdited(state))
-            throw std::runtime_error(
-                fmt::format("{} has changed on the disk. It is not read: the scene here has unsaved changes",
-                            state.sceneOverride.string()));
-        showScene(state, loadScene(state.sceneOverride), state.sceneOverride);
-        state.at = at.segment < state.scene->scene.segments.size() ? at : WallPoint{0, 0.5};
-        askAnew(state);
-    }
-    if (state.lesson) showLesson(state, loadLesson(state.lesson->file), state.step);
-    state.banner.clear();
-}
 
 void stepEvents(AppState& state, int by) {
     const std::size_t count = state.eventCount();
@@ -287,54 +170,6 @@ void apply(AppState& state, const Command& command) {
     } catch (const std::exception& error) {
         state.banner = error.what();
     }
-}
-
-AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optional<LessonRef>& ref,
-                    const std::filesystem::path& scene) {
-    AppState state;
-    state.lessonsFolder = lessonsFolder;
-    state.lessons = listLessons(lessonsFolder);
-    if (!scene.empty()) {
-        showScene(state, loadScene(scene), scene);
-        state.sceneOverride = scene;
-    }
-    if (ref) {
-        goTo(state, *ref);
-        return state;
-    }
-    for (const LessonEntry& entry : state.lessons) {
-        if (!entry.error.empty()) continue;
-        goTo(state, {entry.slug, 1});
-        return state;
-    }
-    throw InputError(lessonsFolder.string() + ": no lesson that can be read, expected files NN-name.toml");
-}
-
-AppState openDescribed(const std::filesystem::path& lessonsFolder, const SceneDescription& scene) {
-    AppState state;
-    state.lessonsFolder = lessonsFolder;
-    state.lessons = listLessons(lessonsFolder);
-    showDescribed(state, scene, "shared.toml");
-    return state;
-}
-
-void setRules(AppState& state, const ClassRules& rules) {
-    state.rules = rules;
-    if (state.lesson) return enterStep(state, state.step);
-    StepValues values{state.settings, state.at, state.makers};
-    obey(rules, state.scene->scene, values);
-    state.settings = values.settings;
-    state.at = values.at;
-    state.makers = values.makers;
-    state.show = state.show - rules.hidden;
-}
-
-AppState openScene(const std::filesystem::path& lessonsFolder, const std::filesystem::path& scene) {
-    AppState state;
-    state.lessonsFolder = lessonsFolder;
-    state.lessons = listLessons(lessonsFolder);
-    showSceneAlone(state, scene);
-    return state;
 }
 
 }  // namespace halfdisk

@@ -133,8 +133,9 @@ AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optio
 /// The same for a scene that no file holds.
 AppState openDescribed(const std::filesystem::path& lessonsFolder, const SceneDescription& scene);
 
-/// From now on, beginning with the step that is open.
-void setRules(AppState& state, const ClassRules& rules);
+/// From now on. The step that is open begins anew; else (what somebody shared) only what the rules say is
+/// changed.
+void setRules(AppState& state, const ClassRules& rules, bool asTheStepBegins = true);
 
 /// A scene without a lesson: everything is unlocked. Throws InputError.
 AppState openScene(const std::filesystem::path& lessonsFolder, const std::filesystem::path& scene);

@@ -50,16 +50,35 @@ bool hasComments(const std::filesystem::path& file) {
 
 }  // namespace
 
+SceneDescription withoutFarImage(SceneDescription scene, const std::filesystem::path& file) {
+    std::error_code none;
+    std::string& image = scene.environment.image;
+    if (!image.empty() && !std::filesystem::exists(file.parent_path() / image, none)) image.clear();
+    return scene;
+}
+
 bool isEdited(const AppState& state) {
-    return state.editing.clean && !(state.scene->description == state.editing.clean->description);
+    const Editing& editing = state.editing;
+    return editing.neverSaved || (editing.clean && !(state.scene->description == editing.clean->description));
+}
+
+std::shared_ptr<const PreparedScene> unsavedScene(const AppState& state) {
+    return isEdited(state) ? state.scene : state.editing.aside;
 }
 
 void replaceScene(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     Editing& editing = state.editing;
-    if (state.scene && isEdited(state)) {
+    // Also one that was saved, for it is not what was opened.
+    if (state.scene && (editing.clean || editing.neverSaved)) {
+        if (isEdited(state)) {
+            editing.aside = state.scene;
+            state.banner = "Unsaved changes of the scene were put aside: Undo, in Edit, brings them back.";
+        }
         editing.history.past.push_back(state.scene);
         forgetOld(editing.history.past);
     }
+    editing.history.future.clear();
+    editing.neverSaved = false;
     editing.clean.reset();
     editing.selected.reset();
     editing.start.reset();
@@ -92,12 +111,15 @@ void undo(AppState& state) {
     history.future.push_back(state.scene);
     auto scene = std::move(history.past.back());
     history.past.pop_back();
+    if (scene == state.editing.aside) state.editing.aside.reset();
     show(state, std::move(scene));
+    state.editing.start.reset();  // a gesture that is under way goes on from nothing
 }
 
 void redo(AppState& state) {
     History& history = state.editing.history;
     if (history.future.empty()) return;
+    if (!state.editing.clean) state.editing.clean = state.scene;
     history.past.push_back(state.scene);
     auto scene = std::move(history.future.back());
     history.future.pop_back();
@@ -112,15 +134,18 @@ void saveEdited(AppState& state, const SaveScene& save) {
         return;
     }
     std::error_code none;
-    if (std::filesystem::exists(file, none) && !editing.confirmed && hasComments(file)) {
+    const bool there = std::filesystem::exists(file, none), comments = there && hasComments(file);
+    if (!editing.confirmed && (comments || (there && editing.savedAs != save.path))) {
         editing.confirmed = true;
-        editing.message =
-            fmt::format("{} has comments, which would go. Save again to write over it.", save.path);
+        editing.message = fmt::format("{} {}. Save again to write over it.", save.path,
+                                      comments ? "has comments, which would go" : "is there already");
         return;
     }
     try {
-        saveScene(state.scene->description, file);
+        saveScene(withoutFarImage(state.scene->description, file), file);
         editing.clean = state.scene;
+        editing.neverSaved = false;
+        editing.savedAs = save.path;
         editing.message = fmt::format("saved: {}", save.path);
     } catch (const std::exception& error) {
         editing.message = error.what();
@@ -132,11 +157,14 @@ void setEditing(AppState& state, bool on) {
     Editing& editing = state.editing;
     editing.on = on;
     editing.start.reset();
-    if (on && editing.path.empty()) {
-        const std::filesystem::path opened =
-            state.sceneOverride.empty() && state.lesson ? state.lesson->scenePath : state.sceneOverride;
+    const std::filesystem::path opened =
+        state.sceneOverride.empty() && state.lesson ? state.lesson->scenePath : state.sceneOverride;
+    if (on && (editing.path.empty() || editing.origin != opened.string())) {
         const std::string stem = opened.stem().string();
         editing.path = (stem.empty() ? "scene" : "my_" + stem) + ".toml";
+        editing.origin = opened.string();
+        editing.savedAs.clear();
+        editing.confirmed = false;
     }
     state.fitCamera = false;  // what is drawn shall stay under the pointer
 }

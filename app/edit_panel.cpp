@@ -118,12 +118,11 @@ bool editMaterial(const Ui& ui, SceneDescription& scene, Shape& shape) {
 void inspector(const Ui& ui) {
     const AppState& state = ui.state;
     const std::vector<Thing> things = thingsOf(state.scene->description);
-    std::vector<std::string> names{"nothing"};
+    std::vector<std::string> names = namesOf(state.scene->description);
+    names.insert(names.begin(), "nothing");
     int index = 0;
-    for (const Thing& thing : things) {
-        if (state.editing.selected == thing) index = static_cast<int>(names.size());
-        names.push_back(nameOf(state.scene->description, thing));
-    }
+    for (std::size_t i = 0; i < things.size(); ++i)
+        if (state.editing.selected == things[i]) index = static_cast<int>(i) + 1;
     const std::vector<std::string_view> views(names.begin(), names.end());
     if (combo(ui.widgets, "selected", index, views))
         ui.commands.push_back(SelectThing{

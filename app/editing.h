@@ -43,9 +43,14 @@ struct Editing {
     std::optional<Thing> selected;
     History history;
     std::shared_ptr<const PreparedScene> clean;  ///< as it was opened or saved; null: as it is
-    std::string path;                            ///< where it will be saved
-    std::string message;                         ///< about the last change or saving
-    bool confirmed = false;                      ///< that a file's comments may go
+    bool neverSaved = false;                     ///< it came from no file: a text that somebody sent
+    std::shared_ptr<const PreparedScene>
+        aside;               ///< unsaved changes that another scene has taken the place of
+    std::string path;        ///< where it will be saved
+    std::string origin;      ///< the scene that `path` was made up for
+    std::string savedAs;     ///< the file that this program wrote last
+    std::string message;     ///< about the last change or saving
+    bool confirmed = false;  ///< that a file may be written over
 
     // while a button is held
     std::shared_ptr<const PreparedScene> start;  ///< as it was when the gesture began

@@ -26,8 +26,7 @@ AppState openRequested(const WindowRequest& request) {
 int runWindow(const WindowRequest& request) {
     Session session;
     session.state = openRequested(request);
-    if (!request.shared) setRules(session.state, request.rules);
-    session.state.rules = request.rules;
+    setRules(session.state, request.rules, !request.shared);
 
     WindowOptions options;
     options.onDrop = [&](const std::vector<std::filesystem::path>& files) {

@@ -1,15 +1,11 @@
 #include "app/share_text.h"
 
 #include <fmt/format.h>
-#include <zlib.h>
-
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "app/commands.h"
+#include "app/packed_text.h"
 #include "lessons/scene_file.h"
 
 namespace halfdisk {
@@ -18,70 +14,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kPrefix = "halfdisk.";
-constexpr std::string_view kAlphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 constexpr std::size_t kMostBytes = 16u << 20;  // of what a text holds: a scene of 10^5 walls
 
 [[noreturn]] void failDamaged() {
     throw InputError(
         "the shared text is damaged or not from this program, expected all of what \"Copy state\" gave");
-}
-
-/// Base64 with the alphabet of RFC 4648, section 5, without padding.
-std::string encoded(const std::vector<unsigned char>& bytes) {
-    std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 3) {
-        std::uint32_t group = 0;
-        const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-        for (std::size_t k = 0; k < 3; ++k) group = group << 8 | (k < count ? bytes[i + k] : 0u);
-        for (std::size_t k = 0; k <= count; ++k) text += kAlphabet[group >> (18 - 6 * k) & 63u];
-    }
-    return text;
-}
-
-std::vector<unsigned char> decoded(std::string_view text) {
-    std::vector<unsigned char> bytes;
-    std::uint32_t group = 0;
-    int bits = 0;
-    for (const char c : text) {
-        if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-        const std::size_t value = kAlphabet.find(c);
-        if (value == std::string_view::npos) failDamaged();
-        group = group << 6 | static_cast<std::uint32_t>(value);
-        bits += 6;
-        if (bits < 8) continue;
-        bits -= 8;
-        bytes.push_back(static_cast<unsigned char>(group >> bits & 0xFFu));
-    }
-    return bytes;
-}
-
-std::vector<unsigned char> packed(const std::string& text) {
-    uLongf size = compressBound(text.size());
-    std::vector<unsigned char> bytes(size);
-    compress2(bytes.data(), &size, reinterpret_cast<const Bytef*>(text.data()), text.size(),
-              Z_BEST_COMPRESSION);
-    bytes.resize(size);
-    return bytes;
-}
-
-/// Never more than kMostBytes, whatever the bytes promise.
-std::string unpacked(const std::vector<unsigned char>& bytes) {
-    std::string text;
-    z_stream stream{};
-    if (inflateInit(&stream) != Z_OK) failDamaged();
-    stream.next_in = const_cast<Bytef*>(bytes.data());
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    std::array<char, 65536> chunk;
-    int result = Z_OK;
-    while (result == Z_OK && text.size() <= kMostBytes) {
-        stream.next_out = reinterpret_cast<Bytef*>(chunk.data());
-        stream.avail_out = static_cast<uInt>(chunk.size());
-        result = inflate(&stream, Z_NO_FLUSH);
-        text.append(chunk.data(), chunk.size() - stream.avail_out);
-    }
-    inflateEnd(&stream);
-    if (result != Z_STREAM_END || text.size() > kMostBytes) failDamaged();
-    return text;
 }
 
 Json jsonOf(const Maker& maker) {
@@ -194,7 +131,7 @@ std::string shareText(const AppState& state) {
     if (state.makers.first) json["first"] = jsonOf(*state.makers.first);
     if (state.makers.second) json["second"] = jsonOf(*state.makers.second);
     if (state.playback.stepping) json["event"] = state.playback.event;
-    return std::string(kPrefix) + encoded(packed(json.dump()));
+    return std::string(kPrefix) + packedText(json.dump());
 }
 
 bool isShareText(std::string_view text) {
@@ -205,7 +142,9 @@ bool isShareText(std::string_view text) {
 AppState openShared(const std::filesystem::path& lessonsFolder, std::string_view text) {
     if (!isShareText(text)) failDamaged();
     const std::string_view body = text.substr(text.find(kPrefix) + kPrefix.size());
-    const Json json = Json::parse(unpacked(decoded(body)), nullptr, false);
+    const std::optional<std::string> unpacked = unpackedText(body, kMostBytes);
+    if (!unpacked) failDamaged();
+    const Json json = Json::parse(*unpacked, nullptr, false);
     if (!json.is_object()) failDamaged();
     return stateOf(lessonsFolder, json);
 }

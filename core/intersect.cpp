@@ -21,6 +21,7 @@ constexpr std::size_t kMostByBruteForce = 128;
 // for walls strewn at random, 0.6 and more for round things made of walls).
 constexpr std::size_t kLeastByGrid = 700;
 constexpr double kMostUneven = 0.55;
+constexpr double kMostGridWork = 64.0;  // walls strewn at random: about 4
 
 void check(const Scene& scene, std::size_t i) {
     const Segment& s = scene.segments[i];
@@ -69,7 +70,7 @@ void SegmentIndex::build() {
     if (method_ == IndexMethod::everyWall) return;
     if (method_ == IndexMethod::automatic && segments.size() > kMostByBruteForce) {
         method_ = IndexMethod::tree;
-        if (segments.size() >= kLeastByGrid) {
+        if (segments.size() >= kLeastByGrid && gridWork(segments) <= kMostGridWork) {
             store_ = buildIndex(segments, Layout::grid);
             if (store_.unevenness <= kMostUneven) method_ = IndexMethod::grid;
         }

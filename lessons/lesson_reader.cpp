@@ -175,7 +175,10 @@ class LessonReader {
         const TomlValue* atLeast = table.optional("atLeast");
         const TomlValue* atMost = table.optional("atMost");
         table.finish();
-        if ((atLeast == nullptr) == (atMost == nullptr))
+        if (atLeast != nullptr && atMost != nullptr)
+            failAt(file_, atMost->where,
+                   "the goal has two numbers, expected one of \"atLeast\" and \"atMost\"");
+        if (atLeast == nullptr && atMost == nullptr)
             failAt(file_, value.where, "the goal has no number, expected \"atLeast\" or \"atMost\"");
         constexpr NumberRule kNumberRule{-1e300, 1e300, "a finite number"};
         const Relation relation = atLeast != nullptr ? Relation::atLeast : Relation::atMost;

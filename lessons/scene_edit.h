@@ -23,7 +23,10 @@ bool exists(const SceneDescription& scene, Thing thing);
 /// All things in file order: shapes, lights, the eye.
 std::vector<Thing> thingsOf(const SceneDescription& scene);
 
-/// What a thing is called: its name, or one made up for a shape without; "light 1"; "eye".
+/// What all things are called, in their order: by name, or one made up for a shape without; "light 1"; "eye".
+std::vector<std::string> namesOf(const SceneDescription& scene);
+
+/// The same for one.
 std::string nameOf(const SceneDescription& scene, Thing thing);
 
 /// Points (m) by which a thing can be pulled into shape. A directional light has none: it is nowhere.

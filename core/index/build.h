@@ -32,4 +32,8 @@ enum class Layout : std::uint8_t { list, tree, grid };
 /// share blocks.
 IndexStore buildIndex(const std::vector<Segment>& segments, Layout layout);
 
+/// About how many cells of a grid the walls' boxes cover, per wall. Long walls in great number make a grid
+/// slow to build, and large.
+double gridWork(const std::vector<Segment>& segments);
+
 }  // namespace halfdisk

@@ -119,4 +119,22 @@ void addGrid(const std::vector<Segment>& segments, IndexStore& store) {
     builder.fill();
 }
 
+double gridWork(const std::vector<Segment>& segments) {
+    if (segments.empty()) return 0.0;
+    Vec2 least = segments.front().a, most = least;
+    for (const Segment& s : segments)
+        for (const Vec2 end : {s.a, s.b}) {
+            least = glm::min(least, end);
+            most = glm::max(most, end);
+        }
+    const double wide = most.x - least.x, high = most.y - least.y;
+    const double count = static_cast<double>(segments.size());
+    const double cells = std::clamp(count / kWallsPerCell, 1.0, kMostCells);
+    const double side = std::max(std::sqrt(wide * high / cells), std::max(wide, high) / cells);
+    double work = 0.0;
+    for (const Segment& s : segments)
+        work += (std::abs(s.b.x - s.a.x) / side + 1.0) * (std::abs(s.b.y - s.a.y) / side + 1.0);
+    return work / count;
+}
+
 }  // namespace halfdisk

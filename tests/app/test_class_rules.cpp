@@ -65,7 +65,19 @@ TEST_CASE("each control takes its value, and wrong ones are told") {
     refused("step=3", "takes no value", addLock);
     refused("estimator=pth", "did you mean \"path\"", addLock);
     refused("", "is unknown", addLock);
+    for (const char* place : {"point=", "point=floor", "point=floor:nan", "point=:0.5", "point=floor:2"})
+        refused(place, "expected point=WALL:T", addLock);
     refused("histogramm", "did you mean \"histogram\"", addHidden);
+}
+
+TEST_CASE("a locked estimator keeps the parameters that the step gives it") {
+    ClassRules rules;
+    addLock(rules, "estimator=light");
+    Rig rig("controls:10");
+    Maker own = *rig.state().makers.first;
+    REQUIRE(own.estimator == "light");
+    withRules(rig, rules);
+    CHECK(rig.state().makers.first == own);
 }
 
 TEST_CASE("P is put on a wall where the scene has it") {

@@ -246,6 +246,70 @@ TEST_CASE("in a lesson Reset brings its scene back, and Undo the changes") {
     CHECK(rig.state().scene->description == changed);
 }
 
+TEST_CASE("another step puts unsaved changes aside: they are told, kept, and come back") {
+    Rig rig("controls:2");
+    SceneDescription changed = rig.state().scene->description;
+    moveBy(changed, {ThingKind::shape, 0}, {0.0, 0.5});
+    rig.apply(EditScene{changed, std::nullopt, false});
+    rig.apply(NextStep{});
+    CHECK_FALSE(rig.state().scene->description == changed);
+    CHECK(rig.state().banner.find("put aside") != std::string::npos);
+    REQUIRE(unsavedScene(rig.state()));
+    CHECK(unsavedScene(rig.state())->description == changed);
+    rig.apply(Undo{});
+    CHECK(rig.state().scene->description == changed);
+    CHECK(isEdited(rig.state()));
+    rig.apply(GoTo{"field", 0});
+    const SceneDescription other = rig.state().scene->description;
+    rig.apply(Redo{});  // what was undone belongs to another scene
+    CHECK(rig.state().scene->description == other);
+}
+
+TEST_CASE("a lesson that is read again leaves a scene changed by hand alone") {
+    const LessonsCopy lessons;
+    Rig rig(openLesson(lessons.folder, LessonRef{"controls", 3}));
+    SceneDescription changed = rig.state().scene->description;
+    moveBy(changed, {ThingKind::shape, 0}, {0.0, 0.5});
+    rig.apply(EditScene{changed, std::nullopt, false});
+    rig.apply(SaveScene{(lessons.folder / "mine.toml").string()});  // the folder has changed, too
+    rig.apply(Reload{});
+    CHECK(rig.state().scene->description == changed);
+    CHECK(rig.state().step == 2);
+}
+
+TEST_CASE(
+    "each scene has a file name of its own, and another's file is only written over when that was said") {
+    const LessonsCopy lessons;
+    Rig rig(openLesson(lessons.folder, LessonRef{"controls", 1}));
+    rig.apply(SetEditing{true});
+    const std::string first = rig.state().editing.path;
+    rig.apply(SetEditing{false});
+    rig.apply(GoTo{"field", 0});
+    rig.apply(SetEditing{true});
+    CHECK(rig.state().editing.path != first);
+    const std::string file = (lessons.folder / "mine.toml").string();
+    std::ofstream(file) << Bench::kRoom;  // without comments
+    rig.apply(SaveScene{file});
+    CHECK(rig.state().editing.message.find("is there already") != std::string::npos);
+    CHECK(loadScene(file).title == "Room");
+    rig.apply(SaveScene{file});
+    CHECK(loadScene(file) == rig.state().scene->description);
+    rig.apply(SaveScene{file});  // its own
+    CHECK(rig.state().editing.message.find("saved") != std::string::npos);
+}
+
+TEST_CASE("a sky's picture that does not lie beside the new file goes along as colours") {
+    SceneDescription scene = loadScene(testLessons() / "scenes/box.toml");
+    scene.environment.image = "far.png";
+    scene.environment.light.strip = {Rgb(1.0), Rgb(0.5)};
+    const LessonsCopy folder;
+    const SceneDescription moved = withoutFarImage(scene, folder.folder / "x.toml");
+    CHECK(moved.environment.image.empty());
+    CHECK(moved.environment.light.strip.size() == 2);
+    std::ofstream(folder.folder / "far.png") << "there";
+    CHECK(withoutFarImage(scene, folder.folder / "x.toml") == scene);
+}
+
 TEST_CASE("unsaved changes are not lost when the file changes on the disk") {
     Bench bench;
     bench.use("Wall");

@@ -93,6 +93,29 @@ TEST_CASE("the same text gives the same picture, to the bit") {
     CHECK(a.rgba == b.rgba);
 }
 
+TEST_CASE("what came as a text is unsaved until it is saved, and obeys what is locked") {
+    AppState state = changedState();
+    SceneDescription scene = state.scene->description;
+    moveBy(scene, {ThingKind::shape, 0}, {0.0, 0.25});
+    apply(state, EditScene{scene, std::nullopt, false});
+    const std::string text = shareText(state);
+    Rig rig("controls:1");
+    ClassRules rules;
+    addLock(rules, "samples=3");
+    addHidden(rules, "histogram");
+    setRules(rig.session.state, rules);
+    rig.apply(OpenShared{text});
+    CHECK(rig.state().scene->description == scene);
+    CHECK(isEdited(rig.state()));
+    CHECK(rig.state().settings.samples == 3);
+    CHECK(rig.state().settings.seed == UINT64_MAX);
+    CHECK_FALSE(rig.state().shows(View::histogram));
+    AppState alone =
+        openShared(testLessons(), shareText(openScene(testLessons(), testLessons() / "scenes/box.toml")));
+    CHECK(isEdited(alone));
+    CHECK(alone.sceneOverride.empty());
+}
+
 TEST_CASE("a damaged text is refused, whatever the damage") {
     const std::string text = shareText(changedState());
     refused("");

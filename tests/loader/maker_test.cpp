@@ -100,7 +100,7 @@ TEST_CASE("a goal is read") {
 TEST_CASE("a wrong goal is told with its place") {
     const std::string head = kHead + kStep + "^[step.goal]\n";
     check(head + "says = 'Go'\nreach = 'rays'\n", {"the goal has no number"});
-    check(head + "says = 'Go'\nreach = 'rays'\natLeast = 1\natMost = 2\n", {"the goal has no number"});
+    check(kGoal + "says = 'Go'\nreach = 'rays'\natLeast = 1\natMost = ^2\n", {"the goal has two numbers"});
     check(head + "reach = 'rays'\natLeast = 1\n", {"\"says\""});
     check(kGoal + "says = 'Go'\nreach = ^'ray'\natLeast = 1\n", {"\"rays\""});
     check(kGoal + "says = 'Go'\nreach = 'rays'\natLeast = ^nan\n", {"a finite number"});

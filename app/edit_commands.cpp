@@ -68,11 +68,12 @@ std::shared_ptr<const PreparedScene> unsavedScene(const AppState& state) {
 
 void replaceScene(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     Editing& editing = state.editing;
+    std::string message;
     // Also one that was saved, for it is not what was opened.
     if (state.scene && (editing.clean || editing.neverSaved)) {
         if (isEdited(state)) {
             editing.aside = state.scene;
-            state.banner = "Unsaved changes of the scene were put aside: Undo, in Edit, brings them back.";
+            message = "Unsaved changes of the last scene were put aside: Undo brings them back.";
         }
         editing.history.past.push_back(state.scene);
         forgetOld(editing.history.past);
@@ -82,7 +83,7 @@ void replaceScene(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     editing.clean.reset();
     editing.selected.reset();
     editing.start.reset();
-    editing.message.clear();
+    editing.message = std::move(message);
     state.scene = std::move(scene);
 }
 

@@ -253,7 +253,7 @@ TEST_CASE("another step puts unsaved changes aside: they are told, kept, and com
     rig.apply(EditScene{changed, std::nullopt, false});
     rig.apply(NextStep{});
     CHECK_FALSE(rig.state().scene->description == changed);
-    CHECK(rig.state().banner.find("put aside") != std::string::npos);
+    CHECK(rig.state().editing.message.find("put aside") != std::string::npos);
     REQUIRE(unsavedScene(rig.state()));
     CHECK(unsavedScene(rig.state())->description == changed);
     rig.apply(Undo{});

@@ -8,16 +8,13 @@
 
 #include "app/cli_probe_passes.h"
 #include "app/estimator_arguments.h"
+#include "app/light_answer.h"
 #include "core/reference.h"
 
 namespace halfdisk {
 namespace {
 
 constexpr std::uint32_t kDeepestReference = 8;
-
-double grey(const Rgb& colour) {
-    return (colour.x + colour.y + colour.z) / 3.0;
-}
 
 /// What a trial gives, whichever estimator made it.
 struct Outcome {
@@ -100,25 +97,25 @@ const Value& given(const std::optional<Value>& value, std::string_view what) {
 }
 
 double quantityOf(const SegmentIndex& index, Quantity quantity, const Trial& trial, unsigned threads) {
-    if (quantity == Quantity::exact) return grey(exactOf(index, trial));
+    if (quantity == Quantity::exact) return gray(exactOf(index, trial));
     const Outcome out = outcomeOf(index, trial, threads);
     const auto error = [&] {
-        return grey(given(out.standardError,
+        return gray(given(out.standardError,
                           "there is no standard error of one repeat, expected \"repeats\" of 2 or more"));
     };
     constexpr std::string_view kCastRayOnly = "only cast-ray tells direct from indirect light";
     switch (quantity) {
         case Quantity::irradiance:
-            return grey(out.irradiance);
+            return gray(out.irradiance);
         case Quantity::direct:
-            return grey(given(out.direct, kCastRayOnly));
+            return gray(given(out.direct, kCastRayOnly));
         case Quantity::indirect:
-            return grey(given(out.indirect, kCastRayOnly));
+            return gray(given(out.indirect, kCastRayOnly));
         case Quantity::radiance:
-            return grey(given(out.radiance, "this wall is not matt, and has no one radiance"));
+            return gray(given(out.radiance, "this wall is not matt, and has no one radiance"));
         case Quantity::error: {
-            const double exact = grey(exactOf(index, trial));
-            return std::abs(grey(out.irradiance) - exact) / std::abs(exact);
+            const double exact = gray(exactOf(index, trial));
+            return std::abs(gray(out.irradiance) - exact) / std::abs(exact);
         }
         case Quantity::variance:
             return error() * error() * out.samples;

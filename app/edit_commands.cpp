@@ -48,6 +48,20 @@ bool hasComments(const std::filesystem::path& file) {
     return false;
 }
 
+/// Shows the last scene of `from`; the one that it takes the place of goes to `to`.
+void stepBack(AppState& state, std::vector<std::shared_ptr<const PreparedScene>>& from,
+              std::vector<std::shared_ptr<const PreparedScene>>& to) {
+    if (from.empty()) return;
+    Editing& editing = state.editing;
+    if (!editing.clean) editing.clean = state.scene;
+    to.push_back(state.scene);
+    auto scene = std::move(from.back());
+    from.pop_back();
+    if (scene == editing.aside) editing.aside.reset();
+    show(state, std::move(scene));
+    editing.start.reset();  // a gesture that is under way goes on from nothing
+}
+
 }  // namespace
 
 SceneDescription withoutFarImage(SceneDescription scene, const std::filesystem::path& file) {
@@ -106,25 +120,11 @@ void editScene(AppState& state, const EditScene& edit) {
 }
 
 void undo(AppState& state) {
-    History& history = state.editing.history;
-    if (history.past.empty()) return;
-    if (!state.editing.clean) state.editing.clean = state.scene;
-    history.future.push_back(state.scene);
-    auto scene = std::move(history.past.back());
-    history.past.pop_back();
-    if (scene == state.editing.aside) state.editing.aside.reset();
-    show(state, std::move(scene));
-    state.editing.start.reset();  // a gesture that is under way goes on from nothing
+    stepBack(state, state.editing.history.past, state.editing.history.future);
 }
 
 void redo(AppState& state) {
-    History& history = state.editing.history;
-    if (history.future.empty()) return;
-    if (!state.editing.clean) state.editing.clean = state.scene;
-    history.past.push_back(state.scene);
-    auto scene = std::move(history.future.back());
-    history.future.pop_back();
-    show(state, std::move(scene));
+    stepBack(state, state.editing.history.future, state.editing.history.past);
 }
 
 void saveEdited(AppState& state, const SaveScene& save) {

@@ -98,6 +98,7 @@ struct LightAnswer {
     // stage 4: pictures, which do not depend on P (the profile only on its wall)
     PictureSet pictures, against;
     std::shared_ptr<const std::vector<LightWay>> ways;  ///< of View::paths
+    std::optional<std::size_t> throughPupil;            ///< how many of them pass the eye, if there is one
 
     bool complete = false;
 };

@@ -18,12 +18,15 @@ struct LightPicture {
     std::vector<std::uint32_t> colors;  ///< of each pixel, packed as ImGui's (IM_COL32), opaque
     double white =
         1.0;  ///< what is shown as white, in the unit of the sensor; more is cut off; 0: all is black
-    std::string refusal;  ///< not empty: why there is no picture
+    std::optional<double> noise;  ///< see noiseOf
+    std::string refusal;          ///< not empty: why there is no picture
     bool complete = false;
 };
 
 /// Ways of light that are followed to be counted, and the first of them that are drawn.
 inline constexpr std::uint32_t kWaysFollowed = 2000, kWaysDrawn = 120;
+/// Of the eye (m), by which they are counted.
+inline constexpr double kPupilRadius = 0.01;
 
 /// The eye's strip, W/(m rad); nothing if the scene has no eye.
 std::optional<Sensor> eyeStripOf(const Scene& scene);

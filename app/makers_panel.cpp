@@ -68,8 +68,7 @@ void costLine(const Ui& ui, const std::shared_ptr<const LightPicture>& picture) 
     }
     const double rays = static_cast<double>(picture->film.counts.rays);
     std::string words = fmt::format("{:.2g} million rays", rays / 1e6);
-    if (const std::optional<double> noise = noiseOf(*picture))
-        words += fmt::format(", noise {:.2g} %", 100.0 * *noise);
+    if (picture->noise) words += fmt::format(", noise {:.2g} %", 100.0 * *picture->noise);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
     textWrapped(ui.widgets, words);
     ImGui::PopStyleColor();
@@ -88,11 +87,9 @@ void censusLine(const Ui& ui) {
     if (!state.shows(View::paths) || !state.answer || !state.answer->ways) return;
     const std::vector<LightWay>& ways = *state.answer->ways;
     std::string words = fmt::format("{} paths of light followed", ways.size());
-    if (const std::optional<Eye>& eye = state.scene->scene.eye) {
-        constexpr double kPupil = 0.01;  // m
-        words +=
-            fmt::format(", {} through a pupil of 2 cm at the eye", countPassing(ways, eye->position, kPupil));
-    }
+    if (state.answer->throughPupil)
+        words += fmt::format(", {} through a pupil of {:g} cm at the eye", *state.answer->throughPupil,
+                             200.0 * kPupilRadius);
     textWrapped(ui.widgets, words);
     tooltip(fmt::format("The first {} of them are drawn.", std::min<std::size_t>(kWaysDrawn, ways.size())));
 }

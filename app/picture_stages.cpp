@@ -141,6 +141,7 @@ bool PictureWork::addBatch() {
     next->film.merge(batch);
     const std::uint64_t passes = next->film.passes, rays = next->film.counts.rays;
     next->complete = rays >= kMostRays || passes >= (rays > 0 ? kMostPasses : kMostPassesWithoutRays);
+    next->noise = noiseOf(*next);
     if (!std::holds_alternative<Profile>(sensor_)) tone(*next, whiteOf(*next));
     picture_ = std::move(next);
     return true;
@@ -170,6 +171,8 @@ void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<
     if (asked.pictures.has(View::paths) && !answer.ways) {
         answer.ways = std::make_shared<const std::vector<LightWay>>(
             lightWays(asked.scene->index, kWaysFollowed, asked.settings.maxDepth, asked.settings.seed));
+        if (const std::optional<Eye>& eye = asked.scene->scene.eye)
+            answer.throughPupil = countPassing(*answer.ways, eye->position, kPupilRadius);
         publish();
     }
     for (bool growing = true; growing && turns > 0; --turns) {

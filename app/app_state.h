@@ -15,7 +15,7 @@
 
 namespace halfdisk {
 
-/// Where the reader stands in the recorded run of castRay.
+/// Where the reader stands in the recorded run.
 struct Playback {
     bool stepping = false;  ///< show the run up to `event` only; else the whole of it
     std::size_t event = 0;  ///< events passed, 0 ... all
@@ -43,6 +43,7 @@ struct AppState {
     Settings settings;
     WallPoint at;
     Playback playback;
+    Run run = Run::castRay;  ///< that is stepped through
     ViewSet show;
     Makers makers;  ///< of the pictures
     bool unlockAll = false;
@@ -75,7 +76,11 @@ struct AppState {
         return unlockAll || !current || current->unlock == control;
     }
     bool shows(View view) const { return show.has(view); }
-    std::size_t eventCount() const { return answer && answer->record ? answer->record->events.size() : 0; }
+    /// Of the run that is stepped through.
+    std::size_t eventCount() const {
+        if (answer && answer->pathRun) return answer->pathRun->record.events.size();
+        return answer && answer->record ? answer->record->events.size() : 0;
+    }
 };
 
 }  // namespace halfdisk

@@ -43,6 +43,8 @@ void drawLights(const Canvas& canvas);
 void drawHalfDisk(const Canvas& canvas, Vec2 P, Vec2 N, float opacity);
 void drawSamples(const Canvas& canvas);
 void drawTree(const Canvas& canvas);
+/// In place of castRay's samples and tree: the run of another estimator.
+void drawRun(const Canvas& canvas);
 void drawCurrentStep(const Canvas& canvas);
 void drawPoint(const Canvas& canvas, Vec2 P, Vec2 N);
 void drawGaze(const Canvas& canvas);

@@ -156,6 +156,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     if (state.shows(View::tree)) drawTree(canvas);
     drawSamples(canvas);
     drawWalls(canvas);
+    drawRun(canvas);
     drawLights(canvas);
     drawEye(canvas);
     drawGaze(canvas);

@@ -18,7 +18,7 @@ struct RecordView {
 };
 
 RecordView shownRecord(const AppState& state) {
-    if (!state.answer || !state.answer->record) return {};
+    if (!state.answer || !state.answer->record || state.answer->pathRun) return {};
     const Record& record = *state.answer->record;
     const std::size_t count = record.events.size();
     return {&record, &state.answer->summary,

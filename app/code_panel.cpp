@@ -3,14 +3,37 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <climits>
 
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
 #include "app/panels.h"
-#include "app/step_text.h"
+#include "app/run_text.h"
 
 namespace halfdisk {
 namespace {
+
+/// Which estimator's run it is: where the step, or nobody, says so it can be chosen.
+void chooseRun(const Ui& ui) {
+    const AppState& state = ui.state;
+    const bool free = state.isUnlocked(Control::step);
+    if (!free && state.run == Run::castRay) return;
+    std::array<std::string_view, kRuns.size()> names;
+    int index = 0;
+    for (std::size_t i = 0; i < kRuns.size(); ++i) {
+        names[i] = kRuns[i].name;
+        if (kRuns[i].value == state.run) index = static_cast<int>(i);
+    }
+    const float width = textSize("bidirectional").x + 2.5f * ImGui::GetFrameHeight();
+    sameLineIfFits("", width);
+    ImGui::PushItemWidth(width);
+    ImGui::BeginDisabled(!free);
+    if (combo(ui.widgets, "##run", index, names))
+        ui.commands.push_back(SetRun{kRuns[static_cast<std::size_t>(index)].value});
+    ImGui::EndDisabled();
+    ImGui::PopItemWidth();
+    tooltip(fmt::format("whose run this is: {}", kRuns[static_cast<std::size_t>(index)].meaning));
+}
 
 void transport(const Ui& ui) {
     const AppState& state = ui.state;
@@ -35,20 +58,29 @@ void transport(const Ui& ui) {
     sameLineIfFits(position);
     ImGui::AlignTextToFramePadding();
     text(ui.widgets, position);
+    chooseRun(ui);
 }
 
 /// Two lines of words and one of numbers; always as high, so that the code below stays where it is.
 void stepWords(const Ui& ui) {
-    const StepText words = describeStep(ui.state);
+    const AppState& state = ui.state;
+    const StepText words = describeStep(state);
     const float line = ImGui::GetFontSize() + 2 * ui.scale;
     beginChild("words", {0, 2 * line + ui.fonts.code->FontSize}, false,
                ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 2 * ui.scale});
-    if (words.where.empty()) {
+    const bool refused = state.answer && state.answer->pathRun && !state.answer->pathRun->refusal.empty();
+    if (refused) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.error);
+        textWrapped(ui.widgets, state.answer->pathRun->refusal);
+        ImGui::PopStyleColor();
+    } else if (words.where.empty()) {
         textWrapped(ui.widgets, "Press Step to walk through this run.");
         ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
         const bool printed = ui.state.settings.defects != DefectSet{};
-        textWrapped(ui.widgets, printed ? "core/as_printed.h, as compiled" : "core/cast_ray.h, as compiled");
+        textWrapped(ui.widgets, ui.state.run != Run::castRay ? "its source, as compiled"
+                                : printed                    ? "core/as_printed.h, as compiled"
+                                                             : "core/cast_ray.h, as compiled");
         ImGui::PopStyleColor();
     } else {
         textWrapped(ui.widgets, words.where + ": " + words.what);
@@ -85,7 +117,24 @@ std::vector<std::string> piecesOf(const std::string& text, std::size_t most) {
     return pieces;
 }
 
-void codeLine(const Ui& ui, const ListingLine& line, bool lit, bool marked) {
+/// What the reader clicks on: the number of the published listing, or of the source file.
+struct LineName {
+    std::string text;  ///< empty: a line of neither
+    Command jump;
+};
+
+LineName nameOf(const Listing& listing, std::size_t i) {
+    const ListingLine& line = listing[i];
+    if (line.number > 0) return {fmt::format("{:03}", line.number), JumpToLine{line.number}};
+    if (line.source == 0 || line.text.empty()) return {{}, DismissBanner{}};
+    const bool last = i + 1 == listing.size() || listing[i + 1].file != line.file;
+    const int to = last ? INT_MAX : listing[i + 1].source;
+    return {fmt::format("{:3}", line.source), JumpToSource{{line.file, line.source}, {line.file, to}}};
+}
+
+void codeLine(const Ui& ui, const Listing& listing, std::size_t i, bool lit, bool marked) {
+    const ListingLine& line = listing[i];
+    const LineName name = nameOf(listing, i);
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImFont* font = ui.fonts.code;
     const float width = ImGui::GetContentRegionAvail().x, letter = textSize("0", font).x, gutter = 4 * letter;
@@ -98,19 +147,19 @@ void codeLine(const Ui& ui, const ListingLine& line, bool lit, bool marked) {
         list.AddRectFilled(origin, end, ui.palette.currentLine);
     else if (marked)
         list.AddRectFilled(origin, end, withOpacity(ui.palette.halfDisk, 0.28f));
-    if (line.number > 0) {
-        const std::string name = fmt::format("{:03}", line.number);
-        if (ImGui::InvisibleButton(fmt::format("line{}##{}", line.number, origin.y).c_str(), {width, height}))
-            ui.commands.push_back(JumpToLine{line.number});
-        markItem(ui.widgets, "line " + name);
-        tooltip("line of the published listing; click: on to the next step there");
-        drawText(ui, {origin.x, origin.y + ui.scale}, ui.palette.inkSoft, name, Align::left, font);
+    if (!name.text.empty()) {
+        if (ImGui::InvisibleButton(fmt::format("line{}##{}", name.text, i).c_str(), {width, height}))
+            ui.commands.push_back(name.jump);
+        markItem(ui.widgets, "line " + name.text);
+        tooltip(line.number > 0 ? "line of the published listing; click: on to the next step there"
+                                : "line of the source file; click: on to the next step there");
+        drawText(ui, {origin.x, origin.y + ui.scale}, ui.palette.inkSoft, name.text, Align::left, font);
     } else {
         ImGui::Dummy({width, height});
     }
     const ImU32 color = line.comment ? ui.palette.normal : ui.palette.ink;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-        drawText(ui, {origin.x + gutter, origin.y + ui.scale + row * static_cast<float>(i)}, color, pieces[i],
+    for (std::size_t k = 0; k < pieces.size(); ++k)
+        drawText(ui, {origin.x + gutter, origin.y + ui.scale + row * static_cast<float>(k)}, color, pieces[k],
                  Align::left, font);
 }
 
@@ -124,28 +173,49 @@ void scrollHere() {
 
 }  // namespace
 
+namespace {
+
+/// What runs: castRay, its printed twin, or another estimator.
+const Listing& listingOf(const Ui& ui) {
+    const AppState& state = ui.state;
+    if (state.run != Run::castRay) return ui.listings.runs[static_cast<std::size_t>(state.run)];
+    return state.settings.defects != DefectSet{} ? ui.listings.asPrinted : ui.listings.corrected;
+}
+
+/// Row of the line that runs now, or -1.
+int litLine(const AppState& state, const Listing& listing) {
+    if (const PathEvent* event = currentPathEvent(state)) return lineOf(listing, event->where);
+    const Event* event = currentEvent(state);
+    if (!event || state.run != Run::castRay) return -1;
+    const int number = listingLine(event->kind);
+    const auto found = std::find_if(listing.begin(), listing.end(),
+                                    [&](const ListingLine& line) { return line.number == number; });
+    return found == listing.end() ? -1 : static_cast<int>(found - listing.begin());
+}
+
+}  // namespace
+
 void codePanel(const Ui& ui, ImVec2 size) {
     const AppState& state = ui.state;
     beginChild("code", size, false);
     transport(ui);
     stepWords(ui);
 
-    const bool printed = state.settings.defects != DefectSet{};
-    const Listing& listing = printed ? ui.listings.asPrinted : ui.listings.corrected;
-    const Event* event = currentEvent(state);
-    const int lit = event ? listingLine(event->kind) : 0;
+    const Listing& listing = listingOf(ui);
+    const int lit = litLine(state, listing);
 
     beginChild("source", {0, 0}, true);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     int wanted = lit;  // the line to keep in sight: the current one, else the step's first marked one
-    for (const ListingLine& line : listing)
-        if (wanted == 0 && isMarked(state, line.number)) wanted = line.number;
-    for (const ListingLine& line : listing) {
-        if (line.number == wanted && wanted > 0 && wanted != state.litLine) {
+    for (std::size_t i = 0; i < listing.size() && wanted < 0; ++i)
+        if (isMarked(state, listing[i].number)) wanted = static_cast<int>(i);
+    for (std::size_t i = 0; i < listing.size(); ++i) {
+        const int row = static_cast<int>(i);
+        if (row == wanted && row + 1 != state.litLine) {
             scrollHere();
-            ui.commands.push_back(ScrolledTo{wanted});
+            ui.commands.push_back(ScrolledTo{row + 1});
         }
-        codeLine(ui, line, line.number == lit && lit > 0, isMarked(state, line.number));
+        codeLine(ui, listing, i, row == lit, isMarked(state, listing[i].number));
     }
     ImGui::PopStyleVar();
     ImGui::EndChild();

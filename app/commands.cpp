@@ -24,11 +24,26 @@ void stepEvents(AppState& state, int by) {
 
 void jumpToLine(AppState& state, int line) {
     const std::size_t count = state.eventCount();
-    if (count == 0) return;
+    if (count == 0 || state.answer->pathRun) return;
     const std::size_t start = state.playback.stepping ? state.playback.event : 0;
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t k = (start + i) % count;
         if (listingLine(state.answer->record->events[k].kind) != line) continue;
+        state.playback = {true, k + 1, false, 0.0f};
+        return;
+    }
+}
+
+void jumpToSource(AppState& state, const JumpToSource& jump) {
+    const std::size_t count = state.eventCount();
+    if (!state.answer || !state.answer->pathRun) return;
+    const std::size_t start = state.playback.stepping ? state.playback.event : 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t k = (start + i) % count;
+        const SourceLine& where = state.answer->pathRun->record.events[k].where;
+        if (!where.file.ends_with(jump.from.file) || where.line < jump.from.line ||
+            where.line >= jump.to.line)
+            continue;
         state.playback = {true, k + 1, false, 0.0f};
         return;
     }
@@ -92,6 +107,11 @@ void applyUnchecked(AppState& state, const Command& command) {
                 state.settings = c.settings;
                 askAnew(state);
             },
+            [&](SetRun c) {
+                if (state.run == c.run) return;
+                state.run = c.run;
+                askAnew(state);
+            },
             [&](const SetMakers& c) {
                 if (state.makers == c.makers) return;
                 state.makers = c.makers;
@@ -131,6 +151,7 @@ void applyUnchecked(AppState& state, const Command& command) {
             },
             [&](StepEvents c) { stepEvents(state, c.by); },
             [&](JumpToLine c) { jumpToLine(state, c.line); },
+            [&](const JumpToSource& c) { jumpToSource(state, c); },
             [&](ShowWholeRun) { state.playback = {}; },
             [&](TogglePlay) {
                 Playback& playback = state.playback;

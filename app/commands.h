@@ -31,6 +31,9 @@ struct Reload {};  ///< read the files again; the step stays
 struct SetSettings {
     Settings settings;
 };
+struct SetRun {
+    Run run;
+};
 struct SetMakers {
     Makers makers;
 };
@@ -78,6 +81,9 @@ struct StepEvents {
 struct JumpToLine {
     int line;  ///< of the published listing: forward to the next event there, round the end
 };
+struct JumpToSource {
+    SourceLine from, to;  ///< the same for an estimator's own source: lines from ... to - 1 of one file
+};
 struct ShowWholeRun {};
 struct TogglePlay {};
 struct SetCamera {
@@ -86,7 +92,7 @@ struct SetCamera {
 };
 struct FitCamera {};
 struct ScrolledTo {
-    int line;  ///< of the published listing
+    int line;  ///< of the listing that is shown, counted from 1
 };
 struct SetGrip {
     Grip grip;
@@ -116,10 +122,11 @@ struct DismissBanner {};
 
 using Command =
     std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, Reload,
-                 SetSettings, SetMakers, SetSplit, SetEditing, SetTool, SetSnap, SelectThing, BeginGesture,
-                 EditScene, Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine,
-                 ShowWholeRun, TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView,
-                 LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
+                 SetSettings, SetRun, SetMakers, SetSplit, SetEditing, SetTool, SetSnap, SelectThing,
+                 BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent,
+                 StepEvents, JumpToLine, JumpToSource, ShowWholeRun, TogglePlay, SetCamera, FitCamera,
+                 ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, ShowPane, HideCanvas, RevealAnswer,
+                 UnlockAll, ToggleHelp, DismissBanner>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.

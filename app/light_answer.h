@@ -11,6 +11,7 @@
 #include "app/prepared_scene.h"
 #include "core/estimate.h"
 #include "core/light_way.h"
+#include "core/path_run.h"
 #include "core/recorder.h"
 #include "lessons/lesson.h"
 
@@ -33,6 +34,7 @@ struct LightQuestion {
     bool wantsDamage = false;  ///< also what each defect alone does
     ViewSet pictures{};        ///< of View::eye, field, profile and paths: those that are wanted too
     Makers makers{};           ///< of the pictures
+    Run run = Run::castRay;    ///< that is recorded
 };
 
 /// What one maker made; null: not begun, not wanted, or (eye) the scene has none.
@@ -77,6 +79,7 @@ struct LightAnswer {
     // stage 1: one run of N samples, every step recorded
     std::shared_ptr<const Record> record;
     RecordSummary summary;
+    std::shared_ptr<const PathRun> pathRun;  ///< of another estimator than castRay, if one is asked for
     Irradiance estimate;
     std::optional<Rgb> radiance;  ///< that P's wall sends out, if it is diffuse: else it depends on the view
     std::optional<Irradiance> corrected;  ///< with defects on: the same run without them

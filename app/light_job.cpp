@@ -56,7 +56,7 @@ void LightJob::run() {
     PictureCache pictures;
     // Every record is held here as well, so that its megabytes are given back on this thread, not within a
     // frame.
-    std::vector<std::shared_ptr<const Record>> records;
+    std::vector<std::shared_ptr<const void>> records;
     std::unique_lock lock(mutex_);
     while (true) {
         changed_.wait(lock, [this] { return quit_ || waiting_; });
@@ -70,7 +70,9 @@ void LightJob::run() {
 
         std::erase_if(records, [](const auto& record) { return record.use_count() == 1; });
         recordRun(answer, cancelled_);
+        recordPathRun(answer, cancelled_);
         if (answer.record) records.push_back(answer.record);
+        if (answer.pathRun) records.push_back(answer.pathRun);
         finishingFirstPicture_ = false;
         recallPictures(answer, pictures);
         if (!cancelled_) publish(answer);

@@ -188,6 +188,22 @@ void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     answer.record = std::move(record);
 }
 
+void recordPathRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
+    const LightQuestion& asked = answer.asked;
+    if (asked.run == Run::castRay) return;
+    const std::string_view id = nameOf(kRuns, asked.run);
+    const EstimatorInfo& info = *findEstimator(id);
+    const std::optional<Maker>& maker = asked.makers.first;
+    const ParamValues params = maker && maker->estimator == id ? maker->params : initialValues(info);
+    try {
+        answer.pathRun = std::make_shared<const PathRun>(
+            recordPaths(info, asked.scene->index, answer.point, asked.settings, params,
+                        [&] { return cancelled.load(std::memory_order_relaxed); }));
+    } catch (const Stopped&) {
+        // A newer question waits: nobody will ask for this run.
+    }
+}
+
 void refine(LightAnswer& answer, ReferenceCache& references, const std::atomic<bool>& cancelled,
             const std::function<void()>& publish) {
     if (!answer.tooManyRays) {

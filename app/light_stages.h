@@ -26,6 +26,9 @@ bool isQuick(const LightQuestion& question);
 /// Stage 1. When `cancelled` the answer is not to be used.
 void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled);
 
+/// The run of another estimator than castRay, if the question wants one. After recordRun.
+void recordPathRun(LightAnswer& answer, const std::atomic<bool>& cancelled);
+
 /// Stages 2 and 3; calls `publish` after each that was completed. Sets answer.pointComplete at the end.
 void refine(LightAnswer& answer, ReferenceCache& references, const std::atomic<bool>& cancelled,
             const std::function<void()>& publish);

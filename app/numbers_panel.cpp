@@ -72,6 +72,29 @@ void estimateRows(const Ui& ui, const LightAnswer& answer) {
             "The same run, the same random numbers, by the corrected castRay.");
 }
 
+/// The same of another estimator's run.
+void pathRunRows(const Ui& ui, const LightAnswer& answer) {
+    const PathRun& run = *answer.pathRun;
+    if (!run.refusal.empty()) return row(ui, "estimate of E", "none", ui.palette.error, run.refusal);
+    std::string value = shown(gray(run.estimate));
+    if (run.standardError)
+        value += fmt::format(" \u00b1 {}", shownError(gray(*run.standardError), gray(run.estimate)));
+    row(ui, "estimate of E", value, ui.palette.estimate,
+        "What the N paths of this run say arrives at P (irradiance, W/m), plus or minus one standard error "
+        "where they are independent. Of a coloured light, the mean of red, green and blue.");
+    if (ui.state.shows(View::exact) && answer.exact && gray(*answer.exact) != 0.0)
+        row(ui, "off by", fmt::format("{:+.1f} %", 100.0 * (gray(run.estimate) / gray(*answer.exact) - 1.0)),
+            ui.palette.ink, "Estimate against exact value.");
+    row(ui, "rays cast", withThousands(run.counts.rays), ui.palette.ink,
+        "All rays of this one run, shadow rays included.");
+    if (run.counts.nonFinite > 0)
+        row(ui, "samples not finite", withThousands(run.counts.nonFinite), ui.palette.error,
+            "Contributions that are infinite or not a number. They are left out, and should not exist.");
+    if (run.record.truncated && ui.state.playback.stepping)
+        row(ui, "record", "later paths left out", ui.palette.error,
+            "The run has too many steps to keep them all.");
+}
+
 void exactRow(const Ui& ui, const LightAnswer& answer) {
     const bool searching = !answer.exact && !answer.pointComplete;
     const std::string value = answer.exact ? shown(gray(*answer.exact)) : searching ? "\u2026" : "not known";
@@ -100,6 +123,14 @@ void numbersPanel(const Ui& ui) {
     const Palette& palette = ui.palette;
     if (!state.answer) return row(ui, "estimate of E", "\u2026", palette.estimate, "");
     const LightAnswer& answer = *state.answer;
+    if (answer.pathRun) {
+        if (state.shows(View::exact)) exactRow(ui, answer);
+        if (!state.shows(View::numbers)) return;
+        if (runIsFinished(state)) return pathRunRows(ui, answer);
+        return row(ui, "estimate of E",
+                   fmt::format("step {} of {}", state.playback.event, state.eventCount()), palette.estimate,
+                   "The run is not finished yet: step on, or press End.");
+    }
     if (answer.tooManyRays) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette.error);
         textWrapped(

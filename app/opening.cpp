@@ -41,6 +41,7 @@ void showDescribed(AppState& state, SceneDescription scene, const std::filesyste
         state.show.set(view, true);
     state.show = state.show - state.rules.hidden;
     state.makers = {};
+    state.run = Run::castRay;
     askAnew(state);
     state.playback.stepping = false;
 }
@@ -56,7 +57,7 @@ void keepLocked(const AppState& here, AppState& shared) {
     if (rules.isLocked(Control::emitters)) settings.emitters = here.settings.emitters;
     if (rules.isLocked(Control::defects)) settings.defects = here.settings.defects;
     if (rules.isLocked(Control::estimator) || rules.isLocked(Control::params)) shared.makers = here.makers;
-    StepValues values{settings, shared.at, shared.makers};
+    StepValues values{.settings = settings, .at = shared.at, .makers = shared.makers};
     obey(rules, shared.scene->scene, values);
     shared.settings = values.settings;
     shared.at = values.at;
@@ -90,6 +91,7 @@ void enterStep(AppState& state, std::size_t step) {
     }
     state.settings = values.settings;
     state.makers = values.makers;
+    state.run = values.run;
     state.split = 0.5f;
     askAnew(state);
     const bool stepping = entered.unlock == Control::step || entered.values.event > 0;
@@ -121,6 +123,7 @@ void showShared(AppState& state, const std::string& text) {
     state.at = shared.at;
     state.show = shared.show - state.rules.hidden;
     state.makers = shared.makers;
+    state.run = shared.run;
     askAnew(state);
     state.playback = shared.playback;
     state.fitCamera = true;

@@ -34,7 +34,7 @@ const char* whyNotExact(const AppState& state) {
 /// Events of depth 0 that the playback has passed.
 template <class Function>
 void forPassedEvents(const AppState& state, EventKind kind, const Function& f) {
-    if (!state.answer || !state.answer->record) return;
+    if (!state.answer || !state.answer->record || state.answer->pathRun) return;
     const auto& events = state.answer->record->events;
     const std::size_t end =
         state.playback.stepping ? std::min(state.playback.event, events.size()) : events.size();

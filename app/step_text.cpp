@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/draw_text.h"
+#include "app/run_text.h"
 
 namespace halfdisk {
 namespace {
@@ -32,12 +33,14 @@ void describeLight(const AppState& state, const Event& event, StepText& text) {
 }  // namespace
 
 const Event* currentEvent(const AppState& state) {
+    if (!state.answer || state.answer->pathRun) return nullptr;
     const std::size_t passed = std::min(state.playback.event, state.eventCount());
     if (!state.playback.stepping || passed == 0) return nullptr;
     return &state.answer->record->events[passed - 1];
 }
 
 StepText describeStep(const AppState& state) {
+    if (const PathEvent* event = currentPathEvent(state)) return describePathEvent(state, *event);
     const Event* event = currentEvent(state);
     if (!event) return {};
     constexpr double kDegrees = 180.0 / kPi;

@@ -15,7 +15,8 @@ struct StepText {
 };
 StepText describeStep(const AppState& state);
 
-/// The event passed last; null before the first or when the whole run is shown.
+/// The event passed last; null before the first, when the whole run is shown, and for another run than
+/// castRay's.
 const Event* currentEvent(const AppState& state);
 
 }  // namespace halfdisk

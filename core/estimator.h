@@ -13,6 +13,8 @@
 
 namespace halfdisk {
 
+class PathRecorder;
+
 /// What is asked of an estimator. Everything outlives it and stays as it is.
 struct Problem {
     const SegmentIndex& index;
@@ -23,6 +25,8 @@ struct Problem {
     std::uint64_t seed = kSeedInfo.initial;
     /// Calls preparation and passes off: within 16 rays, wherever they are (see stop.h).
     StopQuestion stop{};
+    /// Is told every step of a pass by estimators that say so (EstimatorInfo::recorded); one pass at a time.
+    PathRecorder* record = nullptr;
 };
 
 /// A parameter of an estimator: a number, or one of the `choices` (its value is the choice's place in the
@@ -62,6 +66,7 @@ struct EstimatorInfo {
     unsigned sensors;          ///< SensorBits that it serves
     std::span<const ParamInfo> params;
     std::string_view bias;  ///< empty: none; else where it comes from and how it shrinks
+    bool recorded = false;  ///< it tells Problem::record every step
 
     /// Which paths it can carry to the sensor in this scene: a regular expression over L (light), D (diffuse
     /// or glossy), S (mirror or glass) and E (the sensor).

@@ -45,33 +45,33 @@ inline Rgb lightMet(const LightWays& ways, const LightTable& lights, const Ray& 
     return radiance == Rgb(0.0) ? radiance : radiance * weightMet(ways, lights, ray, hit);
 }
 
-/// The same of a ray that is yet to be cast, which goes no farther.
-inline Rgb lightMet(const LightWays& ways, const LightTable& lights, const Ray& ray, Counts& counts) {
-    const Hit hit = lights.index().closestHit(ray);
-    ++counts.rays;
-    const Rgb radiance = lightMet(ways, lights, ray, hit);
-    return hit ? radiance * transmittance(lights.index(), ray.medium, hit.t) : radiance;
-}
+/// A light that was asked, and what it brings: its share.
+struct AskedLight {
+    DrawnLight light;
+    double share = 1.0;
+    Rgb value{0.0};
+};
 
-/// Radiance that the scattering wall sends back of one drawn light: its share.
-inline Rgb lightDrawn(const LightWays& ways, const LightTable& lights, const Arrival& here, const Rng& rng,
-                      Counts& counts) {
+/// Radiance that the scattering wall sends back of one drawn light.
+inline AskedLight askLight(const LightWays& ways, const LightTable& lights, const Arrival& here,
+                           const Rng& rng, Counts& counts) {
     const DrawnLight light = drawLight(lights, here.at, rng.uniform(here.vertex, draws::kPick),
                                        rng.uniform(here.vertex, draws::kLight), counts);
-    if (light.L_i == Rgb(0.0)) return Rgb(0.0);
-    const double weight =
+    if (light.L_i == Rgb(0.0)) return {light};
+    const double share =
         weightDrawn(ways, light, pdfSurface(here.at, here.at.from, light.L, ways.directions));
-    return evalSurface(here.at, light.L, here.at.from) * light.L_i * (glm::dot(here.at.N, light.L) * weight);
+    return {light, share,
+            evalSurface(here.at, light.L, here.at.from) * light.L_i * (glm::dot(here.at.N, light.L) * share)};
 }
 
-/// What a receiver that gathers gets of one drawn light: its share.
-inline Rgb lightDrawn(const LightWays& ways, const LightTable& lights, const Receiver& receiver,
-                      const Rng& rng, Counts& counts) {
+/// What a receiver that gathers gets of one drawn light.
+inline AskedLight askLight(const LightWays& ways, const LightTable& lights, const Receiver& receiver,
+                           const Rng& rng, Counts& counts) {
     const DrawnLight light = drawLight(lights, receiver, rng.uniform(draws::kStart, draws::kPick),
                                        rng.uniform(draws::kStart, draws::kLight), counts);
-    if (light.L_i == Rgb(0.0)) return Rgb(0.0);
-    return light.L_i *
-           (responseTo(receiver, light.L).weight * weightDrawn(ways, light, pdfSight(receiver, light.L)));
+    if (light.L_i == Rgb(0.0)) return {light};
+    const double share = weightDrawn(ways, light, pdfSight(receiver, light.L));
+    return {light, share, light.L_i * (responseTo(receiver, light.L).weight * share)};
 }
 
 }  // namespace halfdisk

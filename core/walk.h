@@ -48,6 +48,16 @@ struct Arrival {
     std::uint32_t scatterings = 0;  ///< before this wall, mirrors and glass not counted
 };
 
+/// Why a path goes no further.
+enum class Ending : std::uint8_t {
+    back,      ///< of a one-sided wall: black
+    visitor,   ///< it was asked for no more
+    absorbed,  ///< the wall sends nothing on
+    scatterings,
+    speculars,
+    roulette
+};
+
 /// A visitor that does nothing; derive from it what is needed.
 struct WalkVisitor {
     /// The path flies from the ray's origin to `distance` metres along it (infinity: into the environment),
@@ -59,10 +69,13 @@ struct WalkVisitor {
     bool arrive(const Arrival&) { return true; }
     /// It goes on from there.
     void depart(const Arrival&, const Scattered&) {}
+    /// It ends at the wall where it arrived last.
+    void end(Ending) {}
 };
 
 /// Follows one path until it leaves the scene, is absorbed, or reaches a limit. The draws of vertex k are
 /// those of `rng`'s sample k.
+// [listing]
 template <class Visitor>
 void walk(const SegmentIndex& index, Ray ray, Rgb throughput, Carried carried, const WalkLimits& limits,
           const Rng& rng, Counts& counts, Visitor& visitor) {
@@ -75,29 +88,32 @@ void walk(const SegmentIndex& index, Ray ray, Rgb throughput, Carried carried, c
         if (!hit) return visitor.escape(ray, throughput, scatterings);
         throughput *= transmittance(index, ray.medium, hit.t);
         const Arrival arrival{surfaceAt(index, ray, hit), ray, hit, throughput, vertex, scatterings};
-        if (!actsThere(index, arrival.at) || !visitor.arrive(arrival)) return;
+        if (!actsThere(index, arrival.at)) return visitor.end(Ending::back);
+        if (!visitor.arrive(arrival)) return visitor.end(Ending::visitor);
 
         const ScatterDraws numbers{rng.uniform(vertex, draws::kCoin), rng.uniform(vertex, draws::kScatterU),
                                    rng.uniform(vertex, draws::kScatterV)};
         const auto scattered = sampleSurface(arrival.at, carried, numbers, limits.directions);
-        if (!scattered) return;
+        if (!scattered) return visitor.end(Ending::absorbed);
         const std::uint32_t speculars = scattered->isDelta() ? ray.speculars + 1 : 0;
         if (speculars > limits.speculars) {
             ++counts.cut;
-            return;
+            return visitor.end(Ending::speculars);
         }
-        if (!scattered->isDelta() && ++scatterings > limits.scatterings) return;
+        if (!scattered->isDelta() && ++scatterings > limits.scatterings)
+            return visitor.end(Ending::scatterings);
         throughput *= scattered->weight;
         const double left = std::max({throughput.x, throughput.y, throughput.z});
-        if (!(left > 0.0)) return;
+        if (!(left > 0.0)) return visitor.end(Ending::absorbed);
         if (limits.roulette > 0 && scatterings >= limits.roulette && !scattered->isDelta()) {
             const double survival = std::min(1.0, left / whole);
-            if (rng.uniform(vertex, draws::kRoulette) >= survival) return;
+            if (rng.uniform(vertex, draws::kRoulette) >= survival) return visitor.end(Ending::roulette);
             throughput /= survival;
         }
         visitor.depart(arrival, *scattered);
         ray = leave(index, arrival.at, *scattered, speculars);
     }
 }
+// [end]
 
 }  // namespace halfdisk

@@ -83,6 +83,17 @@ inline constexpr std::array<Named<Control>, 10> kControls{{
     {Control::params, "params", "the parameters of the estimator that makes the pictures"},
 }};
 
+/// Whose run is recorded and stepped through: an estimator that tells every step.
+enum class Run : std::uint8_t { castRay, path, light, photonMap, bidirectional };
+
+inline constexpr std::array<Named<Run>, 5> kRuns{{
+    {Run::castRay, "cast-ray", "the lesson's castRay: a tree of half-disks"},
+    {Run::path, "path", "single paths from P, each asking one light at every wall"},
+    {Run::light, "light", "paths from the lights, every wall joined to P"},
+    {Run::photonMap, "photon-map", "photons from the lights, then looked up from P"},
+    {Run::bidirectional, "bidirectional", "a path from P and one from a light, joined in every way"},
+}};
+
 /// A set of views, bit k = entry k of kViews.
 struct ViewSet {
     std::uint16_t bits = 0;
@@ -120,6 +131,7 @@ struct StepValues {
     Settings settings;
     WallPoint at{0, 0.5};     ///< P, in the expanded scene; initially the middle of the first wall
     Makers makers;            ///< of the pictures: eye, field and profile
+    Run run = Run::castRay;   ///< the one that is recorded
     std::uint32_t event = 0;  ///< position in the recorded run, 0 = its start
     bool operator==(const StepValues&) const = default;
 };

@@ -101,6 +101,7 @@ class LessonReader {
         TableReader table(file_, readTable(file_, key, value), value.where, std::move(what));
         readSettings(table, scene_, {kMostLessonSamples, kMostLessonDepth}, values.settings, values.at);
         readMakers(table, values.makers);
+        if (const TomlValue* run = table.optional("run")) values.run = readNamed(file_, "run", *run, kRuns);
         if (const TomlValue* event = table.optional("event"))
             values.event = static_cast<std::uint32_t>(readWhole(file_, "event", *event, {0, kMostEvents}));
         table.finish();

@@ -92,6 +92,7 @@ const EstimatorInfo kBidirectionalEstimator{
     .sensors = kProbeBit | kLookBit | kEyeBit | kProfileBit,
     .params = kParams,
     .bias = {},
+    .recorded = true,
     .paths = paths,
     .refusal = refusal,
     .make = [](const Problem& problem, const ParamValues& params) -> std::unique_ptr<Estimator> {

@@ -1,5 +1,7 @@
 #include "core/estimators/bidirectional_join.h"
 
+#include "core/path_recorder.h"
+
 namespace halfdisk {
 namespace {
 
@@ -32,8 +34,14 @@ LightEnd endOf(const SegmentIndex& index, const DrawnLight& drawn, Vec2 from, st
 class Join {
  public:
     Join(const JoinSetup& setup, Picture& picture, Counts& counts)
-        : all_(setup), index_(setup.problem.index), picture_(picture), counts_(counts) {}
+        : all_(setup),
+          index_(setup.problem.index),
+          see_(setup.problem.record),
+          picture_(picture),
+          counts_(counts) {}
 
+    // [listing]
+    // one path from each end, then every join of the two
     void run(std::uint32_t pixel, const Rng& rng) {
         const Rng sensorRng = rng.child(0), lightRng = rng.child(1);
         sensor_.clear();
@@ -42,19 +50,25 @@ class Join {
                             sensorRng.uniform(draws::kStart, 1));
         const Sight sight = sightFrom(receiver_, index_, sensorRng.uniform(draws::kStart, 2));
         SubpathVisitor sensorVisitor(sensor_), lightVisitor(light_);
+        Watched sensorWatched{sensorVisitor, see_};
+        Watched lightWatched{lightVisitor, see_};
+        if (see_) see_->start(Carried::radiance, receiver_.at.P, Rgb(sight.weight), receiver_.at.segment);
         walk(index_, sight.ray, Rgb(sight.weight), Carried::radiance, all_.limits, sensorRng, counts_,
-             sensorVisitor);
+             sensorWatched);
         const Emission emission =
             all_.lights.emit(lightRng.uniform(draws::kStart, 0), lightRng.uniform(draws::kStart, 1));
         if (emission.power != Rgb(0.0)) {
             lightEnd_ = endOf(index_, emission, all_.lights.environmentLight());
+            if (see_) see_->start(Carried::power, emission.ray.origin, emission.power, emission.segment);
             walk(index_, emission.ray, emission.power, Carried::power, all_.limits, lightRng, counts_,
-                 lightVisitor);
+                 lightWatched);
         }
         joinAll(lightRng);
     }
+    // [end]
 
  private:
+    // [listing]
     void joinAll(const Rng& rng) {
         const std::size_t lightVertices = light_.vertices.size() + 1,
                           sensorVertices = sensor_.vertices.size() + 1;
@@ -74,6 +88,7 @@ class Join {
         for (std::size_t s = 2; all_.bins && s <= lightVertices; ++s)
             if (all_.asks(s, 0)) meetSensor(s);
     }
+    // [end]
 
     /// The first `fromLight` walls of the light's path and the first `fromSensor` of the sensor's, from the
     /// light on. Where the two are connected, their ends scatter whatever they did on their own.
@@ -89,20 +104,46 @@ class Join {
         return walls_;
     }
 
-    void add(const Receiver& at, std::size_t s, const LightEnd& end, std::span<const InnerVertex> inner,
+    // Strategy (s, t), joined by a straight line from the light's part to the sensor's.
+    struct Joint {
+        std::size_t s, t;
+        Vec2 from, to;
+        SourceLine where;
+    };
+    static Joint jointAt(std::size_t s, std::size_t t, Vec2 from, Vec2 to,
+                         SourceLine where = SourceLine::here()) {
+        return {s, t, from, to, where};
+    }
+
+    // [listing]
+    // a whole path: its value, times this strategy's share among all that could have made it
+    void add(const Receiver& at, const Joint& joint, const LightEnd& end, std::span<const InnerVertex> inner,
              double pdfReceiver, const Rgb& value) {
         std::uint32_t scatterings = 0;
         for (const InnerVertex& wall : inner) scatterings += wall.delta ? 0 : 1;
         if (value == Rgb(0.0) || scatterings > all_.limits.scatterings) return;
         double weight = 1.0;
         if (all_.weighs)
-            weight =
-                WholePath(all_.lights, end, inner, at, pdfReceiver).weight(s, all_.counts, all_.heuristic);
+            weight = WholePath(all_.lights, end, inner, at, pdfReceiver)
+                         .weight(joint.s, all_.counts, all_.heuristic);
         addTo(picture_, at.pixel, value * weight, counts_);
+        tell(joint, weight, value * weight);
+    }
+    // [end]
+
+    void tell(const Joint& joint, double weight, const Rgb& value) {
+        if (!see_) return;
+        const auto s = static_cast<std::uint32_t>(joint.s), t = static_cast<std::uint32_t>(joint.t);
+        see_->joined(joint.from, joint.to, s, t, weight > 0.0, weight, value, joint.where);
+    }
+    void tellBlocked(const Joint& joint) { tell(joint, 0.0, Rgb(0.0)); }
+    static Vec2 placeOf(const DrawnLight& drawn, Vec2 seenFrom) {
+        return seenFrom + drawn.L * (std::isinf(drawn.distance) ? 1.0 : drawn.distance);
     }
 
     double pdfReceiver() const { return all_.bins ? 1.0 / all_.bins->binLength() : 1.0; }
 
+    // [listing]
     // s = 0: the sensor's path meets a lamp at its vertex t - 1.
     void meetLamp(std::size_t t) {
         const Subpath::Vertex& met = sensor_.vertices[t - 2];
@@ -114,7 +155,8 @@ class Join {
                            .canBeMet = true,
                            .P = at.P,
                            .N = at.N};
-        add(receiver_, 0, end, walls(0, t - 2, false), pdfReceiver(), met.throughput * wall.emission);
+        const Joint joint = jointAt(0, t, at.P, at.P);
+        add(receiver_, joint, end, walls(0, t - 2, false), pdfReceiver(), met.throughput * wall.emission);
     }
 
     void meetEnvironment(std::size_t t) {
@@ -123,7 +165,9 @@ class Join {
                            .infinite = true,
                            .canBeMet = true,
                            .towards = sensor_.escaped.direction};
-        add(receiver_, 0, end, walls(0, t - 2, false), pdfReceiver(),
+        const Vec2 out = sensor_.escaped.origin;
+        const Joint joint = jointAt(0, t, out + end.towards, out);
+        add(receiver_, joint, end, walls(0, t - 2, false), pdfReceiver(),
             sensor_.escapedThroughput * index_.environment(end.towards));
     }
 
@@ -134,9 +178,11 @@ class Join {
         const std::uint32_t environment = all_.lights.environmentLight();
         if (t == 1) {
             const DrawnLight drawn = drawLight(all_.lights, receiver_, pick, u, counts_);
+            const Joint joint = jointAt(1, 1, placeOf(drawn, receiver_.at.P), receiver_.at.P);
+            if (drawn.L_i == Rgb(0.0)) return tellBlocked(joint);
             // An eye does not see a light that has no size.
-            if (drawn.L_i == Rgb(0.0) || (drawn.pdfAngle == 0.0 && !gathers(receiver_))) return;
-            addConnected(1, endOf(index_, drawn, receiver_.at.P, environment), {},
+            if (drawn.pdfAngle == 0.0 && !gathers(receiver_)) return;
+            addConnected(joint, endOf(index_, drawn, receiver_.at.P, environment), {},
                          responseTo(receiver_, drawn.L), drawn.L_i);
             return;
         }
@@ -144,8 +190,9 @@ class Join {
         const SurfacePoint& at = asking.wall.at;
         if (isSpecular(*at.material)) return;
         const DrawnLight drawn = drawLight(all_.lights, at, pick, u, counts_);
-        if (drawn.L_i == Rgb(0.0)) return;
-        add(receiver_, 1, endOf(index_, drawn, at.P, environment), walls(0, t - 1, true), pdfReceiver(),
+        const Joint joint = jointAt(1, t, placeOf(drawn, at.P), at.P);
+        if (drawn.L_i == Rgb(0.0)) return tellBlocked(joint);
+        add(receiver_, joint, endOf(index_, drawn, at.P, environment), walls(0, t - 1, true), pdfReceiver(),
             asking.throughput * evalSurface(at, drawn.L, at.from) * drawn.L_i * glm::dot(at.N, drawn.L));
     }
 
@@ -155,19 +202,20 @@ class Join {
         const SurfacePoint& at = last.wall.at;
         if (isSpecular(*at.material)) return;
         const Connection way = connect(index_, at, receiver_, counts_);
-        if (way.passed == Rgb(0.0)) return;
-        addConnected(s, lightEnd_, walls(s - 1, 0, true), way.response,
+        const Joint joint = jointAt(s, 1, at.P, receiver_.at.P);
+        if (way.passed == Rgb(0.0)) return tellBlocked(joint);
+        addConnected(joint, lightEnd_, walls(s - 1, 0, true), way.response,
                      last.throughput * evalSurface(at, at.from, way.toReceiver) * way.passed *
                          (glm::dot(at.N, way.toReceiver) / way.distance));
     }
 
     /// Radiance that one of the light's paths brings straight to the sensor's place; every pixel's path may
     /// serve any pixel of an eye.
-    void addConnected(std::size_t s, const LightEnd& end, std::span<const InnerVertex> inner,
+    void addConnected(const Joint& joint, const LightEnd& end, std::span<const InnerVertex> inner,
                       const Response& response, const Rgb& radiance) {
         Receiver at = receiver_;
         at.pixel = response.pixel;
-        add(at, s, end, inner, pdfReceiver(), radiance * (response.weight / all_.counts.lightConnected));
+        add(at, joint, end, inner, pdfReceiver(), radiance * (response.weight / all_.counts.lightConnected));
     }
 
     void connectWalls(std::size_t s, std::size_t t) {
@@ -186,8 +234,10 @@ class Join {
                           z.throughput * (cosines / r);
         if (value == Rgb(0.0)) return;
         ++counts_.rays;
-        if (index_.occluded({originOff(index_, a.segment, a.P, way), way, a.segment}, r, b.segment)) return;
-        add(receiver_, s, lightEnd_, walls(s - 1, t - 1, true), pdfReceiver(),
+        const Joint joint = jointAt(s, t, a.P, b.P);
+        if (index_.occluded({originOff(index_, a.segment, a.P, way), way, a.segment}, r, b.segment))
+            return tellBlocked(joint);
+        add(receiver_, joint, lightEnd_, walls(s - 1, t - 1, true), pdfReceiver(),
             value * transmittance(index_, a.medium, r));
     }
 
@@ -198,12 +248,16 @@ class Join {
         const auto place = at.front ? all_.bins->at(at.segment, met.u) : std::nullopt;
         if (!place) return;
         const Receiver receiver{.at = {at.P, at.N, at.segment}, .pixel = place->bin};
-        add(receiver, s, lightEnd_, walls(s - 2, 0, false), 1.0 / place->length,
+        const Joint joint = jointAt(s, 0, at.P, at.P);
+        add(receiver, joint, lightEnd_, walls(s - 2, 0, false), 1.0 / place->length,
             met.throughput / (place->length * all_.counts.lightAlone));
     }
 
+    // [end]
+
     const JoinSetup& all_;
     const SegmentIndex& index_;
+    PathRecorder* see_;  // may be null
     Picture& picture_;
     Counts& counts_;
     Receiver receiver_;

@@ -1,7 +1,7 @@
 // By which rays does a place gather light, and how much comes to it straight?
 #pragma once
 
-#include "core/light_ways.h"
+#include "core/path_recorder.h"
 
 namespace halfdisk {
 
@@ -38,16 +38,27 @@ void forDirections(const SegmentIndex& index, const Receiver& receiver, std::uin
 inline constexpr std::uint32_t kDirectRays = 4;
 
 /// Light straight from lamps, sky and lights without size: radiance that an Arrival's wall sends back of it,
-/// or what a Receiver gets.
+/// or what a Receiver gets. `see` (may be null) is told it times `throughput`.
+// [listing]
 template <class Place>
-Rgb directLight(const LightTable& lights, const Place& place, const Rng& rng, Counts& counts) {
+Rgb directLight(const LightTable& lights, const Place& place, const Rng& rng, Counts& counts,
+                PathRecorder* see = nullptr, const Rgb& throughput = Rgb(1.0)) {
     const LightWays ways{.perLight = kDirectRays};
-    Rgb sum = lightDrawn(ways, lights, place, rng, counts);
+    const AskedLight asked = askLight(ways, lights, place, rng, counts);
+    if (see) see->asked(place.at.P, asked, throughput * asked.value);
+    Rgb sum = asked.value;
     if (!canBeMet(lights)) return sum;
     forDirections(lights.index(), place, kDirectRays, rng, [&](const Ray& ray, const Rgb& share, const Rng&) {
-        sum += share * lightMet(ways, lights, ray, counts);
+        const Hit hit = lights.index().closestHit(ray);
+        ++counts.rays;
+        const Rgb clear = hit ? transmittance(lights.index(), ray.medium, hit.t) : Rgb(1.0);
+        const Rgb light = share * (lightMet(ways, lights, ray, hit) * clear);
+        sum += light;
+        if (see && light != Rgb(0.0))
+            see->met(ray, hit, weightMet(ways, lights, ray, hit), throughput * light);
     });
     return sum;
 }
+// [end]
 
 }  // namespace halfdisk

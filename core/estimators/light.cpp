@@ -31,10 +31,11 @@ struct LightVisitor : WalkVisitor {
     std::optional<FieldSplat> splat{};
     Picture& picture;
     Counts& counts;
+    PathRecorder* see;  // may be null
 
     LightVisitor(const Problem& asked, const std::optional<Receiver>& point,
                  const std::optional<ProfileBins>& walls, Picture& sums, Counts& spent)
-        : problem(asked), receiver(point), bins(walls), picture(sums), counts(spent) {
+        : problem(asked), receiver(point), bins(walls), picture(sums), counts(spent), see(asked.record) {
         if (const auto* field = std::get_if<Field>(&asked.sensor)) splat.emplace(*field, sums, asked.stop);
     }
 
@@ -63,23 +64,27 @@ struct LightVisitor : WalkVisitor {
         return metres;
     }
 
+    // [listing]
     bool arrive(const Arrival& here) {
+        // on a wall that is measured, light is counted where it arrives
         if (bins && here.at.front)
             if (const auto place = bins->at(here.hit.segment, here.hit.u))
                 addTo(picture, place->bin, here.throughput / place->length, counts);
+        // a point is never met by chance: every wall is connected to it
         if (receiver && !isSpecular(*here.at.material)) connectTo(here);
         return true;
     }
 
     void connectTo(const Arrival& here) {
         const Connection way = connect(problem.index, here.at, *receiver, counts);
-        if (way.passed == Rgb(0.0)) return;
-        const double geometry = glm::dot(here.at.N, way.toReceiver) / way.distance;
-        addTo(picture, way.response.pixel,
-              here.throughput * evalSurface(here.at, here.at.from, way.toReceiver) * way.passed *
-                  (geometry * way.response.weight),
-              counts);
+        const bool visible = way.passed != Rgb(0.0);
+        const double geometry = visible ? glm::dot(here.at.N, way.toReceiver) / way.distance : 0.0;
+        const Rgb brdf = visible ? evalSurface(here.at, here.at.from, way.toReceiver) : Rgb(0.0);
+        const Rgb value = here.throughput * brdf * way.passed * (geometry * way.response.weight);
+        if (visible) addTo(picture, way.response.pixel, value, counts);
+        if (see) see->joined(here.at.P, receiver->at.P, here.vertex + 2, 1, visible, 1.0, value);
     }
+    // [end]
 };
 
 class LightEstimator : public Estimator {
@@ -104,24 +109,29 @@ class LightEstimator : public Estimator {
         const Rng ofPass(problem_.seed, pass);
         for (std::uint32_t path = 0; receiver_ && path < paths_; ++path) {
             throwIfStopped(problem_.stop, path);
-            askLight(ofPass.child(path), picture, counts);
+            askDirectly(ofPass.child(path), picture, counts);
         }
         if (endsBelow_) return;
         LightVisitor visitor(problem_, receiver_, bins_, picture, counts);
-        sendLight(lights_, paths_, spread_, limits_, ofPass, counts, visitor, problem_.stop);
+        sendLight(lights_, paths_, spread_, limits_, ofPass, counts, visitor, problem_.record, problem_.stop);
         if (visitor.splat) visitor.splat->finish();
     }
 
  private:
-    // The path of no wall: from the light straight to the point. An eye does not see a light that has no
-    // size.
-    void askLight(const Rng& rng, Picture& picture, Counts& counts) const {
+    // [listing]
+    // the path of no wall: from a light straight to the point (an eye does not see a light that has no size)
+    void askDirectly(const Rng& rng, Picture& picture, Counts& counts) const {
         const DrawnLight light = drawLight(lights_, *receiver_, rng.uniform(draws::kStart, draws::kPick),
                                            rng.uniform(draws::kStart, draws::kLight), counts);
-        if (light.L_i == Rgb(0.0) || (light.pdfAngle == 0.0 && !gathers(*receiver_))) return;
+        PathRecorder* const see = problem_.record;
+        if (see) see->start(Carried::power, receiver_->at.P, Rgb(0.0), light.segment);
+        if (light.pdfAngle == 0.0 && !gathers(*receiver_)) return;
         const Response response = responseTo(*receiver_, light.L);
-        addTo(picture, response.pixel, light.L_i * (response.weight / paths_), counts);
+        const Rgb value = light.L_i * (response.weight / paths_);
+        if (light.L_i != Rgb(0.0)) addTo(picture, response.pixel, value, counts);
+        if (see) see->asked(receiver_->at.P, {light, 1.0, value}, value);
     }
+    // [end]
 
     Problem problem_;
     LightTable lights_;
@@ -151,6 +161,7 @@ const EstimatorInfo kLightEstimator{
     .sensors = kProbeBit | kEyeBit | kProfileBit | kFieldBit,
     .params = kParams,
     .bias = {},
+    .recorded = true,
     .paths = paths,
     .refusal = nullptr,
     .make = [](const Problem& problem, const ParamValues& params) -> std::unique_ptr<Estimator> {

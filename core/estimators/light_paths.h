@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/estimator.h"
+#include "core/path_recorder.h"
 
 namespace halfdisk {
 
@@ -16,11 +17,13 @@ inline constexpr ParamInfo kSpreadParam{
     .meaning = "where light sets out: at random, or evenly over the power of the lights within a pass",
     .choices = kSpreads};
 
-/// Follows `paths` paths of light. The power they carry is the scene's whole power, shared. Throws Stopped if
-/// `stop` says so.
+/// Follows `paths` paths of light. The power they carry is the scene's whole power, shared. `see` may be
+/// null. Throws Stopped if `stop` says so.
+// [listing]
 template <class Visitor>
 void sendLight(const LightTable& lights, std::uint32_t paths, Spread spread, const WalkLimits& limits,
-               const Rng& ofPass, Counts& counts, Visitor& visitor, const StopQuestion& stop) {
+               const Rng& ofPass, Counts& counts, Visitor& visitor, PathRecorder* see,
+               const StopQuestion& stop) {
     const Rng ofPaths = ofPass.child(kLightPathsChild);
     for (std::uint32_t path = 0; path < paths; ++path) {
         throwIfStopped(stop, path);
@@ -30,9 +33,12 @@ void sendLight(const LightTable& lights, std::uint32_t paths, Spread spread, con
             lights.emit(spread == Spread::stratified ? (path + u) / paths : u, rng.uniform(draws::kStart, 1));
         ++counts.paths;
         if (light.power == Rgb(0.0)) continue;
-        walk(lights.index(), light.ray, light.power / static_cast<double>(paths), Carried::power, limits, rng,
-             counts, visitor);
+        const Rgb power = light.power / static_cast<double>(paths);
+        if (see) see->start(Carried::power, light.ray.origin, power, light.segment);
+        Watched watched{visitor, see};
+        walk(lights.index(), light.ray, power, Carried::power, limits, rng, counts, watched);
     }
 }
+// [end]
 
 }  // namespace halfdisk

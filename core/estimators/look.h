@@ -2,7 +2,7 @@
 // light on scattering walls from elsewhere look at it.
 #pragma once
 
-#include "core/light_ways.h"
+#include "core/path_recorder.h"
 
 namespace halfdisk {
 
@@ -20,13 +20,18 @@ template <class Outgoing>
 struct LookVisitor : WalkVisitor {
     const Looking& how;
     const Outgoing& outgoing;
+    PathRecorder* see;  // may be null
     Rgb found{0.0};
 
-    LookVisitor(const Looking& counting, const Outgoing& ofWall) : how(counting), outgoing(ofWall) {}
+    LookVisitor(const Looking& counting, const Outgoing& ofWall, PathRecorder* observer)
+        : how(counting), outgoing(ofWall), see(observer) {}
 
+    // [listing]
     void meet(const Ray& ray, const Hit& hit, const Rgb& throughput) {
-        if (how.bySpeculars || ray.speculars == 0)
-            found += throughput * lightMet(how.ways, how.lights, ray, hit);
+        if (!how.bySpeculars && ray.speculars > 0) return;
+        const Rgb light = throughput * lightMet(how.ways, how.lights, ray, hit);
+        found += light;
+        if (see && light != Rgb(0.0)) see->met(ray, hit, weightMet(how.ways, how.lights, ray, hit), light);
     }
 
     void escape(const Ray& ray, const Rgb& throughput, std::uint32_t) { meet(ray, {}, throughput); }
@@ -36,15 +41,17 @@ struct LookVisitor : WalkVisitor {
         if (!isSpecular(*here.at.material)) found += here.throughput * outgoing(here);
         return true;
     }
+    // [end]
 };
 
-/// `throughput` times the radiance that arrives along `ray`.
+/// `throughput` times the radiance that arrives along `ray`. `see` may be null.
 template <class Outgoing>
 Rgb look(const Looking& how, const Ray& ray, const Rgb& throughput, const Rng& rng, Counts& counts,
-         const Outgoing& outgoing) {
-    LookVisitor<Outgoing> visitor(how, outgoing);
+         const Outgoing& outgoing, PathRecorder* see = nullptr) {
+    LookVisitor<Outgoing> visitor(how, outgoing, see);
+    Watched watched{visitor, see};
     const WalkLimits limits{.scatterings = 0, .speculars = how.mostSpecular};
-    walk(how.lights.index(), ray, throughput, Carried::radiance, limits, rng, counts, visitor);
+    walk(how.lights.index(), ray, throughput, Carried::radiance, limits, rng, counts, watched);
     return visitor.found;
 }
 

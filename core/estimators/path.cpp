@@ -5,7 +5,7 @@
 // is good for.
 #include "core/estimators/all.h"
 #include "core/estimators/params.h"
-#include "core/light_ways.h"
+#include "core/path_recorder.h"
 
 namespace halfdisk {
 namespace {
@@ -21,22 +21,40 @@ struct PathVisitor : WalkVisitor {
     const Rng& rng;
     std::uint32_t mostScatterings;
     Counts& counts;
+    PathRecorder* see;  // may be null
     Rgb found{0.0};
 
     PathVisitor(const LightTable& table, const LightWays& how, const Rng& numbers, std::uint32_t most,
-                Counts& spent)
-        : lights(table), ways(how), rng(numbers), mostScatterings(most), counts(spent) {}
+                Counts& spent, PathRecorder* observer)
+        : lights(table), ways(how), rng(numbers), mostScatterings(most), counts(spent), see(observer) {}
 
-    void escape(const Ray& ray, const Rgb& throughput, std::uint32_t) {
-        found += throughput * lightMet(ways, lights, ray, {});
+    // [listing]
+    // at the start, a point asks a light itself
+    void gather(const Receiver& receiver) {
+        const AskedLight light = askLight(ways, lights, receiver, rng, counts);
+        found += light.value;
+        if (see) see->asked(receiver.at.P, light, light.value);
     }
+
+    // a lamp or the sky, met by chance
+    void meet(const Ray& ray, const Hit& hit, const Rgb& throughput) {
+        const Rgb light = throughput * lightMet(ways, lights, ray, hit);
+        found += light;
+        if (see && light != Rgb(0.0)) see->met(ray, hit, weightMet(ways, lights, ray, hit), light);
+    }
+
+    void escape(const Ray& ray, const Rgb& throughput, std::uint32_t) { meet(ray, {}, throughput); }
 
     bool arrive(const Arrival& here) {
-        found += here.throughput * lightMet(ways, lights, here.ray, here.hit);
-        if (here.scatterings < mostScatterings && !isSpecular(*here.at.material))
-            found += here.throughput * lightDrawn(ways, lights, here, rng, counts);
+        meet(here.ray, here.hit, here.throughput);
+        if (here.scatterings >= mostScatterings || isSpecular(*here.at.material)) return true;
+        // next-event estimation: every wall asks one light
+        const AskedLight light = askLight(ways, lights, here, rng, counts);
+        found += here.throughput * light.value;
+        if (see) see->asked(here.at.P, light, here.throughput * light.value);
         return true;
     }
+    // [end]
 };
 
 class PathEstimator : public Estimator {
@@ -50,19 +68,25 @@ class PathEstimator : public Estimator {
                   ways_.directions} {}
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
+        PathRecorder* const see = problem_.record;
+        // [listing]
+        // one path for each pixel of a pass
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
             throwIfStopped(problem_.stop, pixel);
             const Rng rng = Rng(problem_.seed, pass).child(pixel);
             const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
                                               rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
-            PathVisitor visitor(lights_, ways_, rng, limits_.scatterings, counts);
-            if (gathers(receiver)) visitor.found = lightDrawn(ways_, lights_, receiver, rng, counts);
             const Sight sight = sightFrom(receiver, problem_.index, rng.uniform(draws::kStart, 2));
+            if (see) see->start(Carried::radiance, receiver.at.P, Rgb(sight.weight), receiver.at.segment);
+            PathVisitor visitor(lights_, ways_, rng, limits_.scatterings, counts, see);
+            if (gathers(receiver)) visitor.gather(receiver);
+            Watched watched{visitor, see};
             walk(problem_.index, sight.ray, Rgb(sight.weight), Carried::radiance, limits_, rng, counts,
-                 visitor);
+                 watched);
             addTo(picture, pixel, visitor.found, counts);
             ++counts.paths;
         }
+        // [end]
     }
 
  private:
@@ -85,6 +109,7 @@ const EstimatorInfo kPathEstimator{
     .sensors = kProbeBit | kLookBit | kEyeBit | kProfileBit | kFieldBit,
     .params = kParams,
     .bias = {},
+    .recorded = true,
     .paths = paths,
     .refusal = nullptr,
     .make = [](const Problem& problem, const ParamValues& params) -> std::unique_ptr<Estimator> {

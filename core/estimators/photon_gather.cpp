@@ -15,14 +15,18 @@ PhotonGather::PhotonGather(const Problem& problem, const LightTable& lights, con
       ways_{.perLight = static_cast<double>(rays_)},
       raysFind_(maps.global.size() > 0 || canBeMet(lights)) {}
 
+// [listing]
 Rgb PhotonGather::received(const Receiver& receiver, const Rng& rng, Counts& counts) const {
-    Rgb sum = rays_ > 0 ? gathered(receiver, rng, counts) : directLight(lights_, receiver, rng, counts);
+    PathRecorder* const see = problem_.record;
+    if (see) see->start(Carried::radiance, receiver.at.P, Rgb(1.0), receiver.at.segment);
+    // with rays, what they meet is looked up; without, what lies around the point itself
+    Rgb sum = rays_ > 0 ? gathered(receiver, rng, counts) : directLight(lights_, receiver, rng, counts, see);
     if (sender_.isFree()) return sum;
-    const SidePlace place = sender_.placeOf(receiver.at);
-    sum += maps_.caustic.irradiance(place, maps_.causticRadius);
-    if (rays_ == 0) sum += maps_.global.irradiance(place, maps_.radius);
+    sum += lookUp(maps_.caustic, receiver, maps_.causticRadius);
+    if (rays_ == 0) sum += lookUp(maps_.global, receiver, maps_.radius);
     return sum;
 }
+// [end]
 
 Rgb PhotonGather::seen(const Receiver& receiver, const Rng& rng, Counts& counts) const {
     const Sight sight = sightFrom(receiver, problem_.index, rng.uniform(draws::kStart, 2));
@@ -35,10 +39,14 @@ Rgb PhotonGather::seen(const Receiver& receiver, const Rng& rng, Counts& counts)
     return look(eye, sight.ray, Rgb(sight.weight), rng, counts, outgoing);
 }
 
-// Light that comes straight to a place, or scattered at the walls around it.
+// [listing]
+// light that comes straight to a place, or scattered at the walls around it
 template <class Place>
 Rgb PhotonGather::gathered(const Place& place, const Rng& rng, Counts& counts) const {
-    Rgb sum = lightDrawn(ways_, lights_, place, rng, counts);
+    PathRecorder* const see = problem_.record;
+    const AskedLight light = askLight(ways_, lights_, place, rng, counts);
+    Rgb sum = light.value;
+    if (see) see->asked(place.at.P, light, light.value);
     if (!raysFind_) return sum;
     forDirections(problem_.index, place, rays_, rng, [&](const Ray& ray, const Rgb& share, const Rng& ofRay) {
         sum += alongRay(ray, share, ofRay, counts);
@@ -46,18 +54,37 @@ Rgb PhotonGather::gathered(const Place& place, const Rng& rng, Counts& counts) c
     return sum;
 }
 
-// A ray that gathers meets lamps and sky straight, and photons on walls. What mirrors and glass show of lamps
-// and sky lies in the caustic map, unless the ray starts where no photon can be.
+// a ray that gathers meets lamps and sky straight, and photons on walls
 Rgb PhotonGather::alongRay(const Ray& ray, const Rgb& share, const Rng& rng, Counts& counts) const {
     throwIfStopped(problem_.stop);
+    PathRecorder* const see = problem_.record;
+    if (see) see->start(Carried::radiance, ray.origin, share, ray.skip);
+    // what mirrors and glass show of lamps and sky lies in the caustic map, unless the ray starts where no
+    // photon can be
     const Looking gathering{lights_, ways_, sender_.isFree(), problem_.maxSpecular};
     const auto outgoing = [&](const Arrival& there) { return lookUp(maps_.global, there, maps_.radius); };
-    return look(gathering, ray, share, rng, counts, outgoing);
+    return look(gathering, ray, share, rng, counts, outgoing, see);
 }
 
+// the radiance that photons near a wall's point send back
 Rgb PhotonGather::lookUp(const PhotonMap& map, const Arrival& here, double radius) const {
     if (map.size() == 0) return Rgb(0.0);
-    return map.radiance(here.at, sender_.placeOf(here), here.at.from, radius);
+    const SidePlace place = sender_.placeOf(here);
+    const Rgb found = map.radiance(here.at, place, here.at.from, radius);
+    PathRecorder* const see = problem_.record;
+    if (see)
+        see->lookedUp(here.at.P, here.at.segment, radius, map.count(place, radius), here.throughput * found);
+    return found;
 }
+
+// the power of the photons near a point, by the kernel's length
+Rgb PhotonGather::lookUp(const PhotonMap& map, const Receiver& receiver, double radius) const {
+    const SidePlace place = sender_.placeOf(receiver.at);
+    const Rgb found = map.irradiance(place, radius);
+    PathRecorder* const see = problem_.record;
+    if (see) see->lookedUp(receiver.at.P, receiver.at.segment, radius, map.count(place, radius), found);
+    return found;
+}
+// [end]
 
 }  // namespace halfdisk

@@ -24,6 +24,7 @@ class PhotonGather {
     Rgb gathered(const Place& place, const Rng& rng, Counts& counts) const;
     Rgb alongRay(const Ray& ray, const Rgb& share, const Rng& rng, Counts& counts) const;
     Rgb lookUp(const PhotonMap& map, const Arrival& here, double radius) const;
+    Rgb lookUp(const PhotonMap& map, const Receiver& receiver, double radius) const;
 
     const Problem& problem_;
     const LightTable& lights_;

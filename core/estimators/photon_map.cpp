@@ -131,6 +131,7 @@ const EstimatorInfo kPhotonMapEstimator{
         "blurs light along walls by the radius: off by radius^2 E''/6 where light changes smoothly, more "
         "at its edges and at corners; vanishes as the radius shrinks, while variance grows as "
         "1/(photons radius)",
+    .recorded = true,
     .paths = paths,
     .refusal = refusal,
     .make = [](const Problem& problem, const ParamValues& params) -> std::unique_ptr<Estimator> {

@@ -11,19 +11,27 @@ struct StoreVisitor : WalkVisitor {
     const WallChains& chains;
     const std::vector<bool>& sensed;  // by segment: kept there even if it is a mirror or glass
     bool gathered, looked;            // rays will gather; the first wall will be looked up
+    PathRecorder* see;                // may be null
     Blocks<Photon> global{}, caustic{};
 
-    StoreVisitor(const WallChains& walls, const std::vector<bool>& ofSensor, bool byRays, bool byFirstWall)
-        : chains(walls), sensed(ofSensor), gathered(byRays), looked(byFirstWall) {}
+    StoreVisitor(const WallChains& walls, const std::vector<bool>& ofSensor, bool byRays, bool byFirstWall,
+                 PathRecorder* observer)
+        : chains(walls), sensed(ofSensor), gathered(byRays), looked(byFirstWall), see(observer) {}
 
+    // [listing]
     bool arrive(const Arrival& here) {
         if (isSpecular(*here.at.material) && !sensed[here.hit.segment]) return true;
         const SidePlace place = sideOf(chains, here.hit.segment, here.hit.u, here.at.front);
         const Photon photon{place.side, here.hit.segment, place.along, here.throughput, here.at.from};
-        if (here.scatterings == 0 && here.vertex > 0) caustic.push_back(photon);
-        if (gathered || (looked && here.scatterings > 0)) global.push_back(photon);
+        // mirrors and glass sent it, and nothing else: a caustic
+        const bool inCaustic = here.scatterings == 0 && here.vertex > 0;
+        const bool inGlobal = gathered || (looked && here.scatterings > 0);
+        if (inCaustic) caustic.push_back(photon);
+        if (inGlobal) global.push_back(photon);
+        if (see && (inCaustic || inGlobal)) see->kept(here.at.P, photon.segment, photon.power);
         return true;
     }
+    // [end]
 };
 
 }  // namespace
@@ -58,8 +66,9 @@ PhotonMaps PhotonSender::send(const Rng& ofPass, std::uint64_t pass, Counts& cou
     const std::uint32_t depth =
         gathers ? problem_.maxDepth - std::min(1u, problem_.maxDepth) : problem_.maxDepth;
     const WalkLimits limits{depth, problem_.maxSpecular, settings_.roulette};
-    StoreVisitor store(chains_, sensed_, deep && gathers, deep && !gathers);
-    sendLight(lights_, settings_.paths, settings_.spread, limits, ofPass, counts, store, problem_.stop);
+    StoreVisitor store(chains_, sensed_, deep && gathers, deep && !gathers, problem_.record);
+    sendLight(lights_, settings_.paths, settings_.spread, limits, ofPass, counts, store, problem_.record,
+              problem_.stop);
     const double shrunk = shrinking(settings_.shrink, pass);
     return {PhotonMap(problem_.index, chains_, std::move(store.global).joined(problem_.stop), problem_.stop),
             PhotonMap(problem_.index, chains_, std::move(store.caustic).joined(problem_.stop), problem_.stop),

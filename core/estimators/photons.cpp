@@ -69,6 +69,12 @@ PhotonMap::Window PhotonMap::windowAt(const SidePlace& place, double radius) con
     return window;
 }
 
+std::uint32_t PhotonMap::count(const SidePlace& place, double radius) const {
+    std::size_t count = 0;
+    for (const Run& run : windowAt(place, radius).runs) count += run.last - run.first;
+    return static_cast<std::uint32_t>(count);
+}
+
 Rgb PhotonMap::irradiance(const SidePlace& place, double radius) const {
     const Window window = windowAt(place, radius);
     Rgb power{0.0};

@@ -50,6 +50,9 @@ class PhotonMap {
 
     std::size_t size() const { return photons_.size(); }
 
+    /// How many photons a kernel about `place` covers.
+    std::uint32_t count(const SidePlace& place, double radius) const;
+
     /// W/m, that arrived about `place`.
     Rgb irradiance(const SidePlace& place, double radius) const;
 

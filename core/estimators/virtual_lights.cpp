@@ -64,7 +64,7 @@ class VirtualLightsEstimator : public Estimator {
         const Rng ofPass(problem_.seed, pass);
         StoreVisitor store;
         if (problem_.maxDepth > 0)
-            sendLight(lights_, paths_, spread_, limits_, ofPass, counts, store, problem_.stop);
+            sendLight(lights_, paths_, spread_, limits_, ofPass, counts, store, nullptr, problem_.stop);
         const std::vector<VirtualLight> lamps = std::move(store.lamps).joined(problem_.stop);
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
             throwIfStopped(problem_.stop, pixel);

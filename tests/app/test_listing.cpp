@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/source_listing.h"
+#include "core/estimators.h"
 #include "core/recorder.h"
 
 using namespace halfdisk;
@@ -62,5 +63,42 @@ TEST_CASE("both listings show every line that the recorder can light") {
         CAPTURE(static_cast<int>(kind));
         CHECK(numbersOf(listings.corrected).count(listingLine(kind)) == 1);
         CHECK(numbersOf(listings.asPrinted).count(listingLine(kind)) == 1);
+    }
+}
+
+TEST_CASE("of an estimator's source the marked parts are shown, without what serves the recorder") {
+    const Listing listing = parseRunListing(
+        "core/a.cpp",
+        "hidden();\n    // [listing]\n    // one path\n    void f(int a, PathRecorder* see) {\n"
+        "        PathRecorder* const see = record;\n        g(a,\n          see);\n"
+        "        if (see)\n            see->fly(a,\n                     b);\n        walk(watched);\n    }\n"
+        "    // [end]\nhidden();\n// [listing]\nint x;\n// [end]\n");
+    std::vector<std::pair<int, std::string>> lines;
+    for (const ListingLine& line : listing)
+        if (!line.text.empty()) lines.emplace_back(line.source, line.text);
+    const std::vector<std::pair<int, std::string>> expected{
+        {0, "core/a.cpp"},        {3, "// one path"}, {4, "void f(int a) {"}, {6, "  g(a, see);"},
+        {11, "  walk(visitor);"}, {12, "}"},          {16, "int x;"}};
+    CHECK(lines == expected);
+    CHECK(listing[static_cast<std::size_t>(lineOf(listing, {"/some/where/core/a.cpp", 9}))].source == 6);
+    CHECK(lineOf(listing, {"/some/where/core/b.cpp", 9}) == -1);
+}
+
+TEST_CASE("each estimator that can be recorded has a listing, and each run a name in the registry") {
+    const Listings listings = loadListings();
+    std::size_t recorded = 0;
+    for (const EstimatorInfo* info : estimators()) recorded += info->recorded ? 1 : 0;
+    CHECK(kRuns.size() == recorded + 1);
+    for (const Named<Run>& run : kRuns) {
+        CAPTURE(run.name);
+        REQUIRE(findEstimator(run.name) != nullptr);
+        if (run.value == Run::castRay) continue;
+        CHECK(findEstimator(run.name)->recorded);
+        CHECK(listings.runs[static_cast<std::size_t>(run.value)].size() > 40);
+        for (const ListingLine& line : listings.runs[static_cast<std::size_t>(run.value)]) {
+            CAPTURE(line.text);
+            for (const char* hidden : {"see)", "see->", "see_", "Watched", "watched", "tell"})
+                CHECK(line.text.find(hidden) == std::string::npos);
+        }
     }
 }

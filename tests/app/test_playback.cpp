@@ -1,6 +1,7 @@
 // Does the recorded run go forward and back, one event at a time, without changing?
 #include <doctest/doctest.h>
 
+#include "app/run_text.h"
 #include "app/step_text.h"
 #include "rig.h"
 
@@ -148,4 +149,55 @@ TEST_CASE("a new question starts the run again") {
     rig.settle();
     CHECK(rig.state().playback.event == 0);
     CHECK(rig.state().playback.stepping);
+}
+
+TEST_CASE("the runs of other estimators are stepped through as well, each with its own source") {
+    Rig rig(kStepping);
+    for (const Named<Run>& run : kRuns) {
+        if (run.value == Run::castRay) continue;
+        CAPTURE(run.name);
+        rig.driver.click("Stage/run");
+        rig.driver.click("Stage/run/" + std::string(run.name));
+        rig.settle();
+        REQUIRE(rig.state().run == run.value);
+        REQUIRE(rig.state().answer->pathRun);
+        const auto& events = rig.state().answer->pathRun->record.events;
+        CHECK(rig.state().eventCount() == events.size());
+        REQUIRE(events.size() > 20);
+        CHECK(currentEvent(rig.state()) == nullptr);
+        rig.driver.click("Stage/Start");
+        CHECK(currentPathEvent(rig.state()) == nullptr);
+        const Listing& listing = rig.session.listings.runs[static_cast<std::size_t>(run.value)];
+        for (std::size_t k = 1; k <= 12; ++k) {
+            rig.driver.click("Stage/Step");
+            REQUIRE(currentPathEvent(rig.state()) == &events[k - 1]);
+            const int line = lineOf(listing, events[k - 1].where);
+            REQUIRE(line >= 0);
+            CHECK(listing[static_cast<std::size_t>(line)].source > 0);
+            const StepText words = describeStep(rig.state());
+            CHECK_FALSE(words.what.empty());
+            CHECK(words.values.find("nan") == std::string::npos);
+        }
+        rig.driver.click("Stage/Back");
+        CHECK(currentPathEvent(rig.state()) == &events[10]);
+        for (const PathEvent& event : events) CHECK(lineOf(listing, event.where) >= 0);
+    }
+}
+
+TEST_CASE("a click on a line of an estimator's source goes on to the next step there") {
+    Rig rig(kStepping);
+    rig.apply(SetRun{Run::path});
+    rig.settle();
+    rig.apply(SetEvent{0});
+    const auto& events = rig.state().answer->pathRun->record.events;
+    const SourceLine where = events[5].where;
+    rig.apply(JumpToSource{where, {where.file, where.line + 1}});
+    const PathEvent* event = currentPathEvent(rig.state());
+    REQUIRE(event != nullptr);
+    CHECK(event->where.line == where.line);
+    const std::size_t first = rig.state().playback.event;
+    rig.apply(JumpToSource{where, {where.file, where.line + 1}});
+    CHECK(rig.state().playback.event != first);
+    rig.apply(JumpToSource{{where.file, 1}, {where.file, 2}});  // nothing is told there
+    CHECK(rig.state().playback.event != first);
 }

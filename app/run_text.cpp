@@ -1,0 +1,145 @@
+#include "app/run_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/draw_text.h"
+
+namespace halfdisk {
+namespace {
+
+std::string wallName(const AppState& state, std::uint32_t segment) {
+    return state.scene->scene.segmentNames[segment];
+}
+
+std::string place(Vec2 v) {
+    return fmt::format("({:.3f}, {:.3f})", v.x, v.y);
+}
+
+/// `throughput 0.8` or `power 0.05 W`.
+std::string carried(const PathEvent& event) {
+    return event.carried == Carried::radiance ? fmt::format("throughput {}", shown(event.throughput))
+                                              : fmt::format("power {} W", shown(event.throughput));
+}
+
+std::string added(const PathEvent& event) {
+    return fmt::format("adds {}   sum so far = {}", shown(event.value), shown(event.sum));
+}
+
+/// The lamp, the sky, or a light that has no wall.
+std::string lampName(const AppState& state, const PathEvent& event) {
+    if (event.segment != kNoSegment) return wallName(state, event.segment);
+    return event.missed ? "a light infinitely far away" : "a light";
+}
+
+std::string shareOf(const PathEvent& event) {
+    if (event.weight == 1.0) return "It counts whole.";
+    return fmt::format("This way of finding it counts {:.0f} %.", 100.0 * event.weight);
+}
+
+std::string started(const AppState& state, const PathEvent& event) {
+    if (event.carried == Carried::radiance) return "A path sets out, against the light.";
+    if (event.throughput == Rgb(0.0)) return "First what comes to P straight from a light.";
+    if (event.segment == kNoSegment) return "A path of light sets out.";
+    return fmt::format("A path of light sets out from {}.", wallName(state, event.segment));
+}
+
+std::string joinedHow(const AppState& state, const PathEvent& event) {
+    const std::string way = event.visible ? "the way is free" : "something is in the way";
+    if (state.run == Run::light) return fmt::format("The wall is joined to P: {}.", way);
+    const std::string strategy = fmt::format("Strategy s = {}, t = {}: ", event.s, event.t);
+    if (event.s == 0) return strategy + "P's path met the lamp by itself.";
+    return strategy + fmt::format("{} from the light, {} from P; {}.", event.s, event.t, way);
+}
+
+std::string ended(Ending why) {
+    switch (why) {
+        case Ending::back:
+            return "It met the black back of a wall: it ends.";
+        case Ending::visitor:
+        case Ending::absorbed:
+            return "The wall sends nothing on: it ends.";
+        case Ending::scatterings:
+            return "It was scattered as often as maxDepth allows: it ends.";
+        case Ending::speculars:
+            return "Too many mirrors and glass skins in a row: it is cut off.";
+        case Ending::roulette:
+            return "Russian roulette ends it; survivors carry its share.";
+    }
+    return {};
+}
+
+}  // namespace
+
+const PathEvent* currentPathEvent(const AppState& state) {
+    if (!state.answer || !state.answer->pathRun) return nullptr;
+    const std::size_t passed = std::min(state.playback.event, state.eventCount());
+    if (!state.playback.stepping || passed == 0) return nullptr;
+    return &state.answer->pathRun->record.events[passed - 1];
+}
+
+StepText describePathEvent(const AppState& state, const PathEvent& event) {
+    StepText text;
+    text.where = fmt::format("path {}", event.path + 1);
+    if (event.vertex > 0) text.where += fmt::format(", wall {}", event.vertex);
+    switch (event.kind) {
+        case PathEventKind::start:
+            text.what = started(state, event);
+            text.values = "at " + place(event.from) + "   " + carried(event);
+            break;
+        case PathEventKind::fly:
+            text.what = event.missed ? "It flies out of the scene." : "It flies to the next wall.";
+            text.values = event.missed ? carried(event) : "to " + place(event.to) + "   " + carried(event);
+            break;
+        case PathEventKind::arrive:
+            text.what = fmt::format("It arrives at {}.", wallName(state, event.segment));
+            text.values = carried(event);
+            break;
+        case PathEventKind::escape:
+            text.what = "It met no wall: the sky answers.";
+            text.values = carried(event);
+            break;
+        case PathEventKind::depart:
+            text.what = event.delta ? "It goes on where mirror or glass sends it."
+                                    : "It goes on: a direction is drawn as the wall scatters.";
+            text.values = event.delta ? fmt::format("times {}", shown(event.throughput))
+                                      : fmt::format("pdf = {:.3f} per rad   BRDF cos / pdf = {}",
+                                                    event.pdfAngle, shown(event.throughput));
+            break;
+        case PathEventKind::end:
+            text.what = ended(event.ending);
+            text.values = "sum so far = " + shown(event.sum);
+            break;
+        case PathEventKind::met:
+            text.what = fmt::format("It met {} by chance. {}",
+                                    event.segment == kNoSegment ? "the sky" : wallName(state, event.segment),
+                                    shareOf(event));
+            text.values = added(event);
+            break;
+        case PathEventKind::asked:
+            text.what =
+                event.visible
+                    ? fmt::format("{} is asked; the way is free. {}", lampName(state, event), shareOf(event))
+                    : fmt::format("{} is asked: nothing arrives from there.", lampName(state, event));
+            text.values = added(event);
+            break;
+        case PathEventKind::joined:
+            text.what = joinedHow(state, event);
+            text.values =
+                event.visible ? fmt::format("weight {:.3g}   {}", event.weight, added(event)) : added(event);
+            break;
+        case PathEventKind::kept:
+            text.what = fmt::format("The photon is kept on {}.", wallName(state, event.segment));
+            text.values = carried(event);
+            break;
+        case PathEventKind::lookedUp:
+            text.what = fmt::format("Look-up: {} photon{} within {:g} m of here.", event.photons,
+                                    event.photons == 1 ? "" : "s", event.radius);
+            text.values = added(event);
+            break;
+    }
+    return text;
+}
+
+}  // namespace halfdisk

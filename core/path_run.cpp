@@ -1,0 +1,50 @@
+#include "path_run.h"
+
+#include <algorithm>
+
+namespace halfdisk {
+namespace {
+
+/// The parameter that says how many paths of light one pass has; null: a pass is one path.
+double* pathsOfLight(const EstimatorInfo& info, ParamValues& params) {
+    for (std::size_t i = 0; i < info.params.size(); ++i)
+        if (info.params[i].name == "paths" || info.params[i].name == "photons") return &params[i];
+    return nullptr;
+}
+
+}  // namespace
+
+PathRun recordPaths(const EstimatorInfo& info, const SegmentIndex& index, const ShadedPoint& at,
+                    const Settings& settings, ParamValues params, const StopQuestion& stop,
+                    std::size_t eventLimit) {
+    PathRun run;
+    double* lightPaths = pathsOfLight(info, params);
+    if (lightPaths) *lightPaths = settings.samples;
+    const std::uint32_t passes = lightPaths ? 1 : settings.samples;
+
+    PathRecorder recorder(eventLimit);
+    const Sensor sensor = Probe{at};
+    const Problem problem{.index = index,
+                          .sensor = sensor,
+                          .maxDepth = settings.maxDepth,
+                          .maxSpecular = settings.maxSpecular,
+                          .seed = settings.seed,
+                          .stop = stop,
+                          .record = &recorder};
+    run.refusal = refusalOf(info, problem, params);
+    if (!run.refusal.empty()) return run;
+    const auto estimator = info.make(problem, params);
+    Statistics values;
+    for (std::uint32_t pass = 0; pass < passes; ++pass) {
+        Picture picture(1, Rgb(0.0));
+        estimator->addPass(pass, picture, run.counts);
+        values.add(picture.front());
+    }
+    run.divisor = passes;
+    run.estimate = values.mean;
+    if (passes > 1) run.standardError = values.standardError();
+    run.record = recorder.take();
+    return run;
+}
+
+}  // namespace halfdisk

@@ -32,6 +32,7 @@ struct WindowRequest {
     std::optional<std::filesystem::path> scene;  ///< shown in place of the lesson's own
     ClassRules rules{};
     std::optional<std::string> shared{};  ///< a text of share_text.h, in place of lesson and scene
+    std::string language{};               ///< code; empty: English
 };
 
 struct ScreenshotRequest {
@@ -41,11 +42,13 @@ struct ScreenshotRequest {
     std::filesystem::path output;                ///< a PNG file
     PictureSize size;
     double scale = 1.0;  ///< of the user interface
+    std::string language{};
 };
 
 struct TourRequest {
     std::filesystem::path lessonsFolder;
     std::filesystem::path outputFolder;  ///< made if it is not there
+    std::string language{};
 };
 
 int runWindow(const WindowRequest& request);

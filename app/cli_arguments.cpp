@@ -1,5 +1,7 @@
 #include "app/cli_arguments.h"
 
+#include "app/language.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -117,6 +119,16 @@ Vec2 directionArgument(std::string_view option, std::string_view text) {
     const double largest = std::max(std::abs(direction->x), std::abs(direction->y));
     if (largest == 0.0) failArgument(option, text, "has no direction, expected X,Y that are not both 0");
     return glm::normalize(*direction / largest);  // scaled first: squares neither overflow nor vanish
+}
+
+std::string languageArgument(std::string_view option, std::string_view text) {
+    std::vector<std::string> codes{"en"};
+    for (const Language& language : loadLanguages()) codes.push_back(language.code);
+    if (text.empty() || text == codes.front()) return {};
+    if (std::find(codes.begin(), codes.end(), text) == codes.end())
+        failArgument(option, text,
+                     fmt::format("is no language that there is, expected one of {}", fmt::join(codes, ", ")));
+    return std::string(text);
 }
 
 PictureSize sizeArgument(std::string_view option, std::string_view text) {

@@ -46,6 +46,9 @@ Vec2 pointArgument(std::string_view option, std::string_view text, std::string_v
 /// `X,Y` of any length but zero; returned at unit length.
 Vec2 directionArgument(std::string_view option, std::string_view text);
 
+/// `en` (which gives an empty code) or one that there is.
+std::string languageArgument(std::string_view option, std::string_view text);
+
 /// `WxH` in pixels.
 PictureSize sizeArgument(std::string_view option, std::string_view text);
 

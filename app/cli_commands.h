@@ -24,4 +24,7 @@ void addVerifyCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
 /// `--lessons DIR`, before or after the subcommand.
 void addLessonsFolder(CLI::App& command, std::filesystem::path& lessonsFolder);
 
+/// `--language CODE` of what the window shows; the command line itself speaks English.
+void addLanguage(CLI::App& command, std::string& language);
+
 }  // namespace halfdisk

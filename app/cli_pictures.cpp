@@ -17,6 +17,7 @@ struct ScreenshotTexts {
     std::optional<std::string> scene;
     std::string size = fmt::format("{}x{}", PictureSize{}.width, PictureSize{}.height);
     std::string scale = "1";
+    std::string language;
 };
 
 ScreenshotRequest screenshotRequest(const ScreenshotTexts& texts,
@@ -24,6 +25,7 @@ ScreenshotRequest screenshotRequest(const ScreenshotTexts& texts,
     ScreenshotRequest request{lessonsFolder, parseLessonRef(texts.lesson), {}, texts.output, {}, 1.0};
     if (texts.scene) request.scene = *texts.scene;
     request.size = sizeArgument("--size", texts.size);
+    request.language = languageArgument("--language", texts.language);
     request.scale = numberArgument("--scale", texts.scale, kLeastPictureScale, kMostPictureScale);
     return request;
 }
@@ -49,6 +51,7 @@ void addScreenshot(CLI::App& app, Action& chosen, std::filesystem::path& lessons
         ->capture_default_str();
     command->add_option("--scene", texts->scene, "scene file to show in place of the lesson's own")
         ->type_name("FILE");
+    addLanguage(*command, texts->language);
     addLessonsFolder(*command, lessonsFolder);
     command->footer(
         "Examples:\n"
@@ -60,16 +63,19 @@ void addScreenshot(CLI::App& app, Action& chosen, std::filesystem::path& lessons
 }
 
 void addTour(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder) {
-    const auto folder = std::make_shared<std::string>();
+    const auto folder = std::make_shared<std::string>(), language = std::make_shared<std::string>();
     CLI::App* command =
         app.add_subcommand("tour", "draw every step of every lesson to DIR/<slug>-<step>.png");
     command->add_option("-o,--output", *folder, "folder for the pictures; made if it is not there")
         ->type_name("DIR")
         ->required();
+    addLanguage(*command, *language);
     addLessonsFolder(*command, lessonsFolder);
     command->footer("Example:\n  halfdisk tour -o pictures");
-    command->callback([&chosen, folder, &lessonsFolder] {
-        chosen = [folder, &lessonsFolder] { return runTour({lessonsFolder, *folder}); };
+    command->callback([&chosen, folder, language, &lessonsFolder] {
+        chosen = [folder, language, &lessonsFolder] {
+            return runTour({lessonsFolder, *folder, languageArgument("--language", *language)});
+        };
     });
 }
 

@@ -16,6 +16,7 @@ struct WindowTexts {
     std::vector<std::string> locks, hidden;
     bool kiosk = false;
     std::optional<std::string> state;
+    std::string language;
 };
 
 WindowRequest windowRequest(const WindowTexts& texts, const std::filesystem::path& lessonsFolder) {
@@ -26,6 +27,7 @@ WindowRequest windowRequest(const WindowTexts& texts, const std::filesystem::pat
     if (texts.state && (texts.lesson || texts.scene))
         throw InputError("--state holds the lesson and the scene, expected no other");
     request.shared = texts.state;
+    request.language = languageArgument("--language", texts.language);
     if (texts.lesson) request.lesson = parseLessonRef(*texts.lesson);
     if (texts.scene) request.scene = *texts.scene;
     return request;
@@ -37,6 +39,10 @@ void addLessonsFolder(CLI::App& command, std::filesystem::path& lessonsFolder) {
     command.add_option("--lessons", lessonsFolder, "folder of the lesson files")
         ->type_name("DIR")
         ->capture_default_str();
+}
+
+void addLanguage(CLI::App& command, std::string& language) {
+    command.add_option("--language", language, "of the window and the lessons: en, de")->type_name("CODE");
 }
 
 void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder) {
@@ -61,6 +67,7 @@ void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
         "for a class: this lesson only; no other files, no editing, nothing unlocked but what the step does");
     app.add_option("--state", texts->state, "all that somebody saw, as \"Copy state\" gave it")
         ->type_name("TEXT");
+    addLanguage(app, texts->language);
     addLessonsFolder(app, lessonsFolder);
     // Called whenever parsing succeeds, after the callbacks of the subcommands.
     app.final_callback([&app, &chosen, texts, &lessonsFolder] {
@@ -72,6 +79,8 @@ void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
             throw InputError("--scene was not expected before a command");
         } else if (texts->state) {
             throw InputError("--state was not expected before a command");
+        } else if (!texts->language.empty()) {
+            throw InputError("--language was not expected before a command");
         } else if (texts->kiosk || !texts->locks.empty() || !texts->hidden.empty()) {
             throw InputError("--lock, --hide and --kiosk were not expected before a command");
         }

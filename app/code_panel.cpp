@@ -7,6 +7,7 @@
 
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
+#include "app/language.h"
 #include "app/panels.h"
 #include "app/run_text.h"
 
@@ -32,7 +33,7 @@ void chooseRun(const Ui& ui) {
         ui.commands.push_back(SetRun{kRuns[static_cast<std::size_t>(index)].value});
     ImGui::EndDisabled();
     ImGui::PopItemWidth();
-    tooltip(fmt::format("whose run this is: {}", kRuns[static_cast<std::size_t>(index)].meaning));
+    tooltip(say("whose run this is: {}", tr(kRuns[static_cast<std::size_t>(index)].meaning)));
 }
 
 void transport(const Ui& ui) {
@@ -83,7 +84,7 @@ void stepWords(const Ui& ui) {
                                                              : "core/cast_ray.h, as compiled");
         ImGui::PopStyleColor();
     } else {
-        textWrapped(ui.widgets, words.where + ": " + words.what);
+        textWrapped(ui.widgets, fmt::format("{}: {}", words.where, words.what));
         ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.accent);
         ImGui::PushFont(ui.fonts.code);
         textWrapped(ui.widgets, words.values);

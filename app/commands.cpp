@@ -107,6 +107,7 @@ void applyUnchecked(AppState& state, const Command& command) {
                 state.settings = c.settings;
                 askAnew(state);
             },
+            [&](const SetLanguage& c) { attempt(state, [&](AppState& next) { setLanguage(next, c.code); }); },
             [&](SetRun c) {
                 if (state.run == c.run) return;
                 state.run = c.run;

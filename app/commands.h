@@ -117,6 +117,9 @@ struct RevealAnswer {};
 struct UnlockAll {
     bool on;
 };
+struct SetLanguage {
+    std::string code;  ///< empty: English
+};
 struct ToggleHelp {};
 struct DismissBanner {};
 
@@ -126,7 +129,7 @@ using Command =
                  BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent,
                  StepEvents, JumpToLine, JumpToSource, ShowWholeRun, TogglePlay, SetCamera, FitCamera,
                  ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, ShowPane, HideCanvas, RevealAnswer,
-                 UnlockAll, ToggleHelp, DismissBanner>;
+                 UnlockAll, SetLanguage, ToggleHelp, DismissBanner>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.

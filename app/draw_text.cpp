@@ -4,14 +4,18 @@
 
 #include <cmath>
 
+#include "app/language.h"
+
 namespace halfdisk {
 
-ImVec2 textSize(std::string_view words, ImFont* font) {
+ImVec2 textSize(std::string_view english, ImFont* font) {
+    const std::string_view words = tr(english);
     ImFont* used = font ? font : ImGui::GetFont();
     return used->CalcTextSizeA(used->FontSize, FLT_MAX, 0.0f, words.data(), words.data() + words.size());
 }
 
-ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view words, Align align, ImFont* font) {
+ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view english, Align align, ImFont* font) {
+    const std::string_view words = tr(english);
     ImFont* used = font ? font : ImGui::GetFont();
     const ImVec2 size = textSize(words, used);
     if (align == Align::middle) at.x -= size.x / 2;
@@ -47,8 +51,8 @@ std::string shown(const Rgb& value) {
 
 std::string firstThatFits(std::initializer_list<std::string_view> words, float width, ImFont* font) {
     for (const std::string_view candidate : words)
-        if (textSize(candidate, font).x <= width) return std::string(candidate);
-    std::string shorter(words.size() > 0 ? *(words.end() - 1) : std::string_view());
+        if (textSize(candidate, font).x <= width) return std::string(tr(candidate));
+    std::string shorter(words.size() > 0 ? tr(*(words.end() - 1)) : std::string_view());
     while (!shorter.empty() && textSize(shorter + "\u2026", font).x > width) {
         do shorter.pop_back();
         while (!shorter.empty() && (static_cast<unsigned char>(shorter.back()) & 0xC0u) == 0x80u);

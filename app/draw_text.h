@@ -14,6 +14,8 @@ namespace halfdisk {
 /// Where the given point lies in the text: its left end, middle or right end.
 enum class Align : std::uint8_t { left, middle, right };
 
+/// Words are given in English here and shown in the window's language.
+
 /// One line in `font` (null: the current one), its top at `at`. Registered as a text. Returns its size.
 ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view words, Align align = Align::left,
                 ImFont* font = nullptr);

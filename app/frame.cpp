@@ -184,13 +184,15 @@ void askLight(Session& session) {
 void frame(Session& session, const Fonts& fonts, float uiScale) {
     AppState& state = session.state;
     session.widgets.beginFrame();
+    speak(findLanguage(session.languages, state.language));
     const auto latest = session.light.latest();
     if (latest && latest->asked.scene == state.scene) state.answer = latest;
     dropForeignAnswer(state);
     advance(state);
 
     Commands commands;
-    const Ui ui{state, fonts, session.palette, session.listings, session.widgets, commands, uiScale};
+    const Ui ui{state,           fonts,    session.palette,   session.listings,
+                session.widgets, commands, session.languages, uiScale};
     columns(ui);
     if (!state.banner.empty()) bannerBar(ui);
     if (state.helpShown) helpOverlay(ui);

@@ -5,6 +5,7 @@
 #include "app/app_state.h"
 #include "app/commands.h"
 #include "app/fonts.h"
+#include "app/language.h"
 #include "app/light_job.h"
 #include "app/source_listing.h"
 #include "app/theme.h"
@@ -20,6 +21,7 @@ struct Ui {
     const Listings& listings;
     WidgetRegistry& widgets;
     Commands& commands;
+    const std::vector<Language>& languages;
     float scale;  ///< pixels per design pixel
 };
 
@@ -27,6 +29,7 @@ struct Ui {
 struct Session {
     AppState state;
     Listings listings = loadListings();
+    std::vector<Language> languages = loadLanguages();
     Palette palette;
     WidgetRegistry widgets;
     LightJob light;

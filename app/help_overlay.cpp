@@ -47,6 +47,18 @@ constexpr std::array kKeys{
     KeyHelp{"Double click", "on a number: type it exactly"},
 };
 
+/// Each in its own words.
+void languageButtons(const Ui& ui) {
+    const auto choice = [&](const char* name, const std::string& code) {
+        bool spoken = ui.state.language == code;
+        if (toggle(ui.widgets, name, spoken) && spoken) ui.commands.push_back(SetLanguage{code});
+        ImGui::SameLine();
+    };
+    choice("English", "");
+    for (const Language& language : ui.languages) choice(language.name.c_str(), language.code);
+    ImGui::NewLine();
+}
+
 }  // namespace
 
 void helpOverlay(const Ui& ui) {
@@ -66,6 +78,7 @@ void helpOverlay(const Ui& ui) {
         text(ui.widgets, key.meaning);
     }
     ImGui::PopStyleVar();
+    languageButtons(ui);
     if (button(ui.widgets, "Close")) ui.commands.push_back(ToggleHelp{});
     ImGui::End();
 }

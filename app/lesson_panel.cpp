@@ -4,6 +4,7 @@
 #include "app/draw_text.h"
 #include "app/goal_check.h"
 #include "app/imgui_compat.h"
+#include "app/language.h"
 #include "app/panels.h"
 #include "app/rich_text.h"
 
@@ -45,8 +46,8 @@ void goalBox(const Ui& ui, const Goal& goal) {
     const auto number = [&](double x) { return percent ? fmt::format("{} %", shown(100.0 * x)) : shown(x); };
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
     textWrapped(ui.widgets,
-                fmt::format("now {}, wanted {} {}", value ? number(*value) : "\u2026",
-                            goal.relation == Relation::atMost ? "\u2264" : "\u2265", number(goal.number)));
+                say("now {}, wanted {} {}", value ? number(*value) : "\u2026",
+                    goal.relation == Relation::atMost ? "\u2264" : "\u2265", number(goal.number)));
     ImGui::PopStyleColor();
     tooltip(kGoalQuantities[static_cast<std::size_t>(goal.quantity)].meaning);
 }
@@ -95,7 +96,7 @@ void lessonPanel(const Ui& ui) {
     textWrapped(ui.widgets, step.title);
     ImGui::PopFont();
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
-    text(ui.widgets, fmt::format("Step {} of {}", state.step + 1, state.lesson->steps.size()));
+    text(ui.widgets, say("Step {} of {}", state.step + 1, state.lesson->steps.size()));
     ImGui::PopStyleColor();
     tooltip("This lesson teaches, of the published one: " + state.lesson->section);
     richText(ui, step.prose, terms);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/draw_text.h"
+#include "app/language.h"
 #include "app/panels.h"
 #include "app/picture_stages.h"
 #include "lessons/maker_reader.h"
@@ -67,8 +68,8 @@ void costLine(const Ui& ui, const std::shared_ptr<const LightPicture>& picture) 
         return;
     }
     const double rays = static_cast<double>(picture->film.counts.rays);
-    std::string words = fmt::format("{:.2g} million rays", rays / 1e6);
-    if (picture->noise) words += fmt::format(", noise {:.2g} %", 100.0 * *picture->noise);
+    std::string words = say("{:.2g} million rays", rays / 1e6);
+    if (picture->noise) words += say(", noise {:.2g} %", 100.0 * *picture->noise);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
     textWrapped(ui.widgets, words);
     ImGui::PopStyleColor();
@@ -77,8 +78,7 @@ void costLine(const Ui& ui, const std::shared_ptr<const LightPicture>& picture) 
         "estimator cannot find at all does not show in it.");
     if (picture->film.counts.nonFinite == 0) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.error);
-    textWrapped(ui.widgets,
-                fmt::format("{} values were not finite and left out", picture->film.counts.nonFinite));
+    textWrapped(ui.widgets, say("{} values were not finite and left out", picture->film.counts.nonFinite));
     ImGui::PopStyleColor();
 }
 
@@ -86,12 +86,12 @@ void censusLine(const Ui& ui) {
     const AppState& state = ui.state;
     if (!state.shows(View::paths) || !state.answer || !state.answer->ways) return;
     const std::vector<LightWay>& ways = *state.answer->ways;
-    std::string words = fmt::format("{} paths of light followed", ways.size());
+    std::string words = say("{} paths of light followed", ways.size());
     if (state.answer->throughPupil)
-        words += fmt::format(", {} through a pupil of {:g} cm at the eye", *state.answer->throughPupil,
-                             200.0 * kPupilRadius);
+        words += say(", {} through a pupil of {:g} cm at the eye", *state.answer->throughPupil,
+                     200.0 * kPupilRadius);
     textWrapped(ui.widgets, words);
-    tooltip(fmt::format("The first {} of them are drawn.", std::min<std::size_t>(kWaysDrawn, ways.size())));
+    tooltip(say("The first {} of them are drawn.", std::min<std::size_t>(kWaysDrawn, ways.size())));
 }
 
 }  // namespace

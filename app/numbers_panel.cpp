@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/draw_text.h"
+#include "app/language.h"
 #include "app/panels.h"
 
 namespace halfdisk {
@@ -127,15 +128,13 @@ void numbersPanel(const Ui& ui) {
         if (state.shows(View::exact)) exactRow(ui, answer);
         if (!state.shows(View::numbers)) return;
         if (runIsFinished(state)) return pathRunRows(ui, answer);
-        return row(ui, "estimate of E",
-                   fmt::format("step {} of {}", state.playback.event, state.eventCount()), palette.estimate,
-                   "The run is not finished yet: step on, or press End.");
+        return row(ui, "estimate of E", say("step {} of {}", state.playback.event, state.eventCount()),
+                   palette.estimate, "The run is not finished yet: step on, or press End.");
     }
     if (answer.tooManyRays) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette.error);
-        textWrapped(
-            ui.widgets,
-            fmt::format("One run would cast {:.3g} rays: N rays at P, N from each of their ends, and so on, "
+        textWrapped(ui.widgets,
+                    say("One run would cast {:.3g} rays: N rays at P, N from each of their ends, and so on, "
                         "N^(maxDepth+1) in all. Lower N or maxDepth.",
                         static_cast<double>(answer.rays)));
         ImGui::PopStyleColor();
@@ -144,7 +143,7 @@ void numbersPanel(const Ui& ui) {
     const bool numbers = state.shows(View::numbers), finished = runIsFinished(state);
     if (numbers && finished) estimateRows(ui, answer);
     if (numbers && !finished)
-        row(ui, "estimate of E", fmt::format("step {} of {}", state.playback.event, state.eventCount()),
+        row(ui, "estimate of E", say("step {} of {}", state.playback.event, state.eventCount()),
             palette.estimate, "The run is not finished yet: step on, or press End.");
     if (state.shows(View::exact)) exactRow(ui, answer);
     if (numbers && finished) costRows(ui, answer);

@@ -9,9 +9,26 @@
 #include "app/edit_commands.h"
 #include "app/share_text.h"
 #include "lessons/lesson_file.h"
+#include "lessons/translation.h"
 
 namespace halfdisk {
 namespace {
+
+/// In the state's language.
+Lesson readLesson(const AppState& state, const std::filesystem::path& file) {
+    Lesson lesson = loadLesson(file);
+    translateLesson(lesson, state.language);
+    return lesson;
+}
+
+void listAgain(AppState& state, const std::filesystem::path& folder) {
+    std::vector<LessonEntry> lessons = listLessons(folder);
+    for (LessonEntry& entry : lessons)
+        if (const std::string title = translatedTitle(entry.path, state.language); !title.empty())
+            entry.title = title;
+    state.lessonsFolder = folder;
+    state.lessons = std::move(lessons);
+}
 
 void showScene(AppState& state, SceneDescription description, const std::filesystem::path& file) {
     auto prepared = std::make_shared<const PreparedScene>(std::move(description));
@@ -100,7 +117,7 @@ void enterStep(AppState& state, std::size_t step) {
 
 void goTo(AppState& state, const LessonRef& ref) {
     const LessonEntry& entry = findLesson(state.lessons, ref);
-    Lesson lesson = loadLesson(entry.path);
+    Lesson lesson = readLesson(state, entry.path);
     const std::size_t step = stepIndex(lesson, ref);
     showLesson(state, std::move(lesson), step);
 }
@@ -117,6 +134,7 @@ void showShared(AppState& state, const std::string& text) {
     state.editing.clean = shared.editing.clean;
     state.editing.neverSaved = shared.editing.neverSaved;
     state.lesson = std::move(shared.lesson);
+    if (state.lesson) translateLesson(*state.lesson, state.language);
     state.step = shared.step;
     state.sceneOverride = shared.sceneOverride;
     state.settings = shared.settings;
@@ -132,11 +150,20 @@ void showShared(AppState& state, const std::string& text) {
 void openAny(AppState& state, const std::filesystem::path& file) {
     if (!parseLessonFileName(file)) return showSceneAlone(state, file);
     state.sceneOverride.clear();
-    showLesson(state, loadLesson(file), 0);
+    showLesson(state, readLesson(state, file), 0);
+}
+
+void setLanguage(AppState& state, const std::string& code) {
+    state.language = code;
+    listAgain(state, state.lessonsFolder);
+    if (!state.lesson) return;
+    Lesson lesson = readLesson(state, state.lesson->file);
+    state.step = std::min(state.step, lesson.steps.size() - 1);
+    state.lesson = std::move(lesson);
 }
 
 void reload(AppState& state) {
-    state.lessons = listLessons(state.lessonsFolder);
+    listAgain(state, state.lessonsFolder);
     if (!state.sceneOverride.empty()) {
         const WallPoint at = state.at;
         if (isEdited(state))
@@ -149,7 +176,7 @@ void reload(AppState& state) {
     }
     state.banner.clear();
     if (!state.lesson) return;
-    Lesson lesson = loadLesson(state.lesson->file);
+    Lesson lesson = readLesson(state, state.lesson->file);
     if (lesson == *state.lesson) return;  // something else in the folder has changed
     // A scene that was changed by hand stays, whatever becomes of the text about it.
     const bool byHand = state.sceneOverride.empty() && !(state.scene->description == state.lesson->scene);
@@ -161,8 +188,7 @@ void reload(AppState& state) {
 AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optional<LessonRef>& ref,
                     const std::filesystem::path& scene) {
     AppState state;
-    state.lessonsFolder = lessonsFolder;
-    state.lessons = listLessons(lessonsFolder);
+    listAgain(state, lessonsFolder);
     if (!scene.empty()) {
         showScene(state, loadScene(scene), scene);
         state.sceneOverride = scene;
@@ -181,8 +207,7 @@ AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optio
 
 AppState openDescribed(const std::filesystem::path& lessonsFolder, const SceneDescription& scene) {
     AppState state;
-    state.lessonsFolder = lessonsFolder;
-    state.lessons = listLessons(lessonsFolder);
+    listAgain(state, lessonsFolder);
     showDescribed(state, scene, {});
     state.editing.neverSaved = true;
     return state;
@@ -201,8 +226,7 @@ void setRules(AppState& state, const ClassRules& rules, bool asTheStepBegins) {
 
 AppState openScene(const std::filesystem::path& lessonsFolder, const std::filesystem::path& scene) {
     AppState state;
-    state.lessonsFolder = lessonsFolder;
-    state.lessons = listLessons(lessonsFolder);
+    listAgain(state, lessonsFolder);
     showSceneAlone(state, scene);
     return state;
 }

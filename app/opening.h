@@ -21,6 +21,8 @@ void showSceneAlone(AppState& state, const std::filesystem::path& file);
 void openAny(AppState& state, const std::filesystem::path& file);
 /// What somebody else saw. The window, and what the class may do, stay as they are.
 void showShared(AppState& state, const std::string& text);
+/// The same lesson, step and settings in other words; empty: English.
+void setLanguage(AppState& state, const std::string& code);
 /// Reads the files that are shown again.
 void reload(AppState& state);
 

@@ -10,6 +10,7 @@
 #include "app/commands.h"
 #include "app/frame.h"
 #include "app/headless_host.h"
+#include "app/opening.h"
 #include "app/picture.h"
 #include "app/png_image.h"
 
@@ -31,6 +32,7 @@ Image pictureOf(AppState state, HeadlessHost& host) {
 int runScreenshot(const ScreenshotRequest& request) {
     AppState state =
         openLesson(request.lessonsFolder, request.lesson, request.scene.value_or(std::filesystem::path()));
+    setLanguage(state, request.language);
     const auto scale = static_cast<float>(request.scale);
     state.uiScale = scale;
     HeadlessHost host(request.size.width, request.size.height, scale);
@@ -55,7 +57,9 @@ int runTour(const TourRequest& request) {
         for (int step = 1; step <= entry.steps; ++step) {
             HeadlessHost host(size.width, size.height);
             const auto file = request.outputFolder / fmt::format("{}-{}.png", entry.slug, step);
-            writePng(file, pictureOf(openLesson(request.lessonsFolder, LessonRef{entry.slug, step}), host));
+            AppState state = openLesson(request.lessonsFolder, LessonRef{entry.slug, step});
+            setLanguage(state, request.language);
+            writePng(file, pictureOf(std::move(state), host));
             fmt::print("{}\n", file.string());
         }
     }

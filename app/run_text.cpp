@@ -1,4 +1,5 @@
 #include "app/run_text.h"
+#include "app/language.h"
 
 #include <fmt/format.h>
 
@@ -19,38 +20,38 @@ std::string place(Vec2 v) {
 
 /// `throughput 0.8` or `power 0.05 W`.
 std::string carried(const PathEvent& event) {
-    return event.carried == Carried::radiance ? fmt::format("throughput {}", shown(event.throughput))
-                                              : fmt::format("power {} W", shown(event.throughput));
+    return event.carried == Carried::radiance ? say("throughput {}", shown(event.throughput))
+                                              : say("power {} W", shown(event.throughput));
 }
 
 std::string added(const PathEvent& event) {
-    return fmt::format("adds {}   sum so far = {}", shown(event.value), shown(event.sum));
+    return say("adds {}   sum so far = {}", shown(event.value), shown(event.sum));
 }
 
 /// The lamp, the sky, or a light that has no wall.
 std::string lampName(const AppState& state, const PathEvent& event) {
     if (event.segment != kNoSegment) return wallName(state, event.segment);
-    return event.missed ? "a light infinitely far away" : "a light";
+    return std::string(tr(event.missed ? "a light infinitely far away" : "a light"));
 }
 
 std::string shareOf(const PathEvent& event) {
-    if (event.weight == 1.0) return "It counts whole.";
-    return fmt::format("This way of finding it counts {:.0f} %.", 100.0 * event.weight);
+    if (event.weight == 1.0) return std::string(tr("It counts whole."));
+    return say("This way of finding it counts {:.0f} %.", 100.0 * event.weight);
 }
 
 std::string started(const AppState& state, const PathEvent& event) {
     if (event.carried == Carried::radiance) return "A path sets out, against the light.";
     if (event.throughput == Rgb(0.0)) return "First what comes to P straight from a light.";
     if (event.segment == kNoSegment) return "A path of light sets out.";
-    return fmt::format("A path of light sets out from {}.", wallName(state, event.segment));
+    return say("A path of light sets out from {}.", wallName(state, event.segment));
 }
 
 std::string joinedHow(const AppState& state, const PathEvent& event) {
-    const std::string way = event.visible ? "the way is free" : "something is in the way";
-    if (state.run == Run::light) return fmt::format("The wall is joined to P: {}.", way);
-    const std::string strategy = fmt::format("Strategy s = {}, t = {}: ", event.s, event.t);
-    if (event.s == 0) return strategy + "P's path met the lamp by itself.";
-    return strategy + fmt::format("{} from the light, {} from P; {}.", event.s, event.t, way);
+    const std::string_view way = tr(event.visible ? "the way is free" : "something is in the way");
+    if (state.run == Run::light) return say("The wall is joined to P: {}.", way);
+    const std::string strategy = say("Strategy s = {}, t = {}: ", event.s, event.t);
+    if (event.s == 0) return fmt::format("{}{}", strategy, tr("P's path met the lamp by itself."));
+    return strategy + say("{} from the light, {} from P; {}.", event.s, event.t, way);
 }
 
 std::string ended(Ending why) {
@@ -81,19 +82,19 @@ const PathEvent* currentPathEvent(const AppState& state) {
 
 StepText describePathEvent(const AppState& state, const PathEvent& event) {
     StepText text;
-    text.where = fmt::format("path {}", event.path + 1);
-    if (event.vertex > 0) text.where += fmt::format(", wall {}", event.vertex);
+    text.where = say("path {}", event.path + 1);
+    if (event.vertex > 0) text.where += say(", wall {}", event.vertex);
     switch (event.kind) {
         case PathEventKind::start:
             text.what = started(state, event);
-            text.values = "at " + place(event.from) + "   " + carried(event);
+            text.values = say("at {}   {}", place(event.from), carried(event));
             break;
         case PathEventKind::fly:
             text.what = event.missed ? "It flies out of the scene." : "It flies to the next wall.";
-            text.values = event.missed ? carried(event) : "to " + place(event.to) + "   " + carried(event);
+            text.values = event.missed ? carried(event) : say("to {}   {}", place(event.to), carried(event));
             break;
         case PathEventKind::arrive:
-            text.what = fmt::format("It arrives at {}.", wallName(state, event.segment));
+            text.what = say("It arrives at {}.", wallName(state, event.segment));
             text.values = carried(event);
             break;
         case PathEventKind::escape:
@@ -103,42 +104,44 @@ StepText describePathEvent(const AppState& state, const PathEvent& event) {
         case PathEventKind::depart:
             text.what = event.delta ? "It goes on where mirror or glass sends it."
                                     : "It goes on: a direction is drawn as the wall scatters.";
-            text.values = event.delta ? fmt::format("times {}", shown(event.throughput))
-                                      : fmt::format("pdf = {:.3f} per rad   BRDF cos / pdf = {}",
-                                                    event.pdfAngle, shown(event.throughput));
+            text.values = event.delta ? say("times {}", shown(event.throughput))
+                                      : say("pdf = {:.3f} per rad   BRDF cos / pdf = {}", event.pdfAngle,
+                                            shown(event.throughput));
             break;
         case PathEventKind::end:
             text.what = ended(event.ending);
-            text.values = "sum so far = " + shown(event.sum);
+            text.values = say("sum so far = {}", shown(event.sum));
             break;
         case PathEventKind::met:
-            text.what = fmt::format("It met {} by chance. {}",
-                                    event.segment == kNoSegment ? "the sky" : wallName(state, event.segment),
-                                    shareOf(event));
+            text.what =
+                say("It met {} by chance. {}",
+                    event.segment == kNoSegment ? std::string(tr("the sky")) : wallName(state, event.segment),
+                    shareOf(event));
             text.values = added(event);
             break;
         case PathEventKind::asked:
-            text.what =
-                event.visible
-                    ? fmt::format("{} is asked; the way is free. {}", lampName(state, event), shareOf(event))
-                    : fmt::format("{} is asked: nothing arrives from there.", lampName(state, event));
+            text.what = event.visible
+                            ? say("{} is asked; the way is free. {}", lampName(state, event), shareOf(event))
+                            : say("{} is asked: nothing arrives from there.", lampName(state, event));
             text.values = added(event);
             break;
         case PathEventKind::joined:
             text.what = joinedHow(state, event);
             text.values =
-                event.visible ? fmt::format("weight {:.3g}   {}", event.weight, added(event)) : added(event);
+                event.visible ? say("weight {:.3g}   {}", event.weight, added(event)) : added(event);
             break;
         case PathEventKind::kept:
-            text.what = fmt::format("The photon is kept on {}.", wallName(state, event.segment));
+            text.what = say("The photon is kept on {}.", wallName(state, event.segment));
             text.values = carried(event);
             break;
         case PathEventKind::lookedUp:
-            text.what = fmt::format("Look-up: {} photon{} within {:g} m of here.", event.photons,
-                                    event.photons == 1 ? "" : "s", event.radius);
+            text.what = event.photons == 1
+                            ? say("Look-up: 1 photon within {:g} m of here.", event.radius)
+                            : say("Look-up: {} photons within {:g} m of here.", event.photons, event.radius);
             text.values = added(event);
             break;
     }
+    text.what = tr(text.what);
     return text;
 }
 

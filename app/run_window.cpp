@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/file_watch.h"
 #include "app/frame.h"
+#include "app/opening.h"
 #include "app/share_text.h"
 #include "app/window_host.h"
 
@@ -26,6 +27,7 @@ AppState openRequested(const WindowRequest& request) {
 int runWindow(const WindowRequest& request) {
     Session session;
     session.state = openRequested(request);
+    setLanguage(session.state, request.language);
     setRules(session.state, request.rules, !request.shared);
 
     WindowOptions options;

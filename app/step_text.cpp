@@ -1,4 +1,5 @@
 #include "app/step_text.h"
+#include "app/language.h"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,7 @@ namespace halfdisk {
 namespace {
 
 std::string wallName(const AppState& state, std::uint32_t segment) {
-    if (segment == kNoSegment) return "nothing";
+    if (segment == kNoSegment) return std::string(tr("nothing"));
     return state.scene->scene.segmentNames[segment];
 }
 
@@ -21,13 +22,13 @@ std::string vector(Vec2 v) {
 
 void describeLight(const AppState& state, const Event& event, StepText& text) {
     const bool emitter = event.segment != kNoSegment;
-    if (emitter) text.where += fmt::format(", point {} of {}", event.n + 1, state.settings.samples);
-    text.where += emitter ? fmt::format(", light {}", wallName(state, event.segment))
-                          : fmt::format(", light {}", event.light + 1);
-    text.what =
-        event.visible ? "The shadow ray gets through: the light counts." : "Nothing arrives from this light.";
-    text.values = fmt::format("L = {}   adds {}   directLightContrib = {}", vector(event.direction),
-                              shown(event.value), shown(event.sum));
+    if (emitter) text.where += say(", point {} of {}", event.n + 1, state.settings.samples);
+    text.where +=
+        emitter ? say(", light {}", wallName(state, event.segment)) : say(", light {}", event.light + 1);
+    text.what = tr(event.visible ? "The shadow ray gets through: the light counts."
+                                 : "Nothing arrives from this light.");
+    text.values = say("L = {}   adds {}   directLightContrib = {}", vector(event.direction),
+                      shown(event.value), shown(event.sum));
 }
 
 }  // namespace
@@ -45,14 +46,12 @@ StepText describeStep(const AppState& state) {
     if (!event) return {};
     constexpr double kDegrees = 180.0 / kPi;
     StepText text;
-    text.where = fmt::format("depth {}", event->depth);
-    const auto sample = [&] {
-        text.where += fmt::format(", sample n = {} of {}", event->n, state.settings.samples);
-    };
+    text.where = say("depth {}", event->depth);
+    const auto sample = [&] { text.where += say(", sample n = {} of {}", event->n, state.settings.samples); };
     switch (event->kind) {
         case EventKind::enter:
             text.what = "gatherLight begins: P and its normal N are known.";
-            text.values = "P = " + vector(event->from) + "   on " + wallName(state, event->segment);
+            text.values = say("P = {}   on {}", vector(event->from), wallName(state, event->segment));
             break;
         case EventKind::light:
             describeLight(state, *event, text);
@@ -60,40 +59,42 @@ StepText describeStep(const AppState& state) {
         case EventKind::sample:
             sample();
             text.what = "Step 1: draw an angle on the half-disk.";
-            text.values = fmt::format("theta = {:.1f}\u00b0 from the tangent   pdf = {:.3f} per rad",
-                                      event->theta * kDegrees, event->pdfAngle);
+            text.values = say("theta = {:.1f}\u00b0 from the tangent   pdf = {:.3f} per rad",
+                              event->theta * kDegrees, event->pdfAngle);
             break;
         case EventKind::direction:
             sample();
             text.what = "Step 2: rotate it, so that up becomes N.";
-            text.values = "direction = " + vector(event->direction);
+            text.values = say("direction = {}", vector(event->direction));
             break;
         case EventKind::meet:
             sample();
             text.what = event->missed
-                            ? "Step 3: cast the ray. It meets no wall."
-                            : "Step 3: cast the ray. It meets " + wallName(state, event->segment) + ".";
-            text.values = event->missed ? "the environment answers" : "at " + vector(event->to);
+                            ? std::string(tr("Step 3: cast the ray. It meets no wall."))
+                            : say("Step 3: cast the ray. It meets {}.", wallName(state, event->segment));
+            text.values =
+                event->missed ? std::string(tr("the environment answers")) : say("at {}", vector(event->to));
             break;
         case EventKind::arrival:
             sample();
             text.what = "Step 3, done: the colour that came back along the ray.";
-            text.values = "sampleColor = " + shown(event->value) + " W/(m rad)";
+            text.values = say("sampleColor = {} W/(m rad)", shown(event->value));
             break;
         case EventKind::accumulate:
             sample();
             text.what = "Steps 4 and 5: weigh it like a light, and add it.";
-            text.values = fmt::format("adds {}   sum so far = {}", shown(event->value), shown(event->sum));
+            text.values = say("adds {}   sum so far = {}", shown(event->value), shown(event->sum));
             break;
         case EventKind::average:
             text.what = "Step 6: divide the sum by N.";
-            text.values = "mean = " + shown(event->value) + " W/m";
+            text.values = say("mean = {} W/m", shown(event->value));
             break;
         case EventKind::leave:
             text.what = "All that arrives. Step 7, times albedo / 2, is castRay's.";
-            text.values = "E = " + shown(event->value) + " W/m";
+            text.values = say("E = {} W/m", shown(event->value));
             break;
     }
+    text.what = tr(text.what);
     return text;
 }
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/input_events.h"
+#include "app/language.h"
 
 namespace halfdisk {
 
@@ -16,6 +17,14 @@ std::string_view visibleLabel(std::string_view label) {
     const std::size_t mark = label.find("##");
     if (mark == std::string_view::npos) return label;
     return mark > 0 ? label.substr(0, mark) : label.substr(label.find_first_not_of('#'));
+}
+
+/// What ImGui is given: the label in the window's language. A widget's identity stays the English one.
+std::string spoken(std::string_view label) {
+    const std::string_view words = label.substr(0, label.find("##"));
+    const std::string_view translated = tr(words);
+    if (translated == words) return std::string(label);
+    return fmt::format("{}###{}", translated, label);
 }
 
 Rect toRect(ImVec2 min, ImVec2 max) {
@@ -90,7 +99,8 @@ void markItem(WidgetRegistry& registry, std::string_view label, WidgetKind kind)
 }
 
 void text(WidgetRegistry& registry, std::string_view words) {
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+    const std::string_view shown = tr(words);
+    ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
     markItem(registry, words, WidgetKind::text);
 }
 
@@ -101,13 +111,13 @@ void textWrapped(WidgetRegistry& registry, std::string_view words) {
 }
 
 bool button(WidgetRegistry& registry, const char* label, ImVec2 size) {
-    const bool clicked = ImGui::Button(label, size);
+    const bool clicked = ImGui::Button(spoken(label).c_str(), size);
     markItem(registry, label, WidgetKind::button);
     return clicked;
 }
 
 bool checkbox(WidgetRegistry& registry, const char* label, bool& value) {
-    const bool changed = ImGui::Checkbox(label, &value);
+    const bool changed = ImGui::Checkbox(spoken(label).c_str(), &value);
     markItem(registry, label, WidgetKind::checkbox);
     return changed;
 }
@@ -115,7 +125,7 @@ bool checkbox(WidgetRegistry& registry, const char* label, bool& value) {
 bool toggle(WidgetRegistry& registry, const char* label, bool& value, ImVec2 size) {
     const ImGuiStyle& style = ImGui::GetStyle();
     ImGui::PushStyleColor(ImGuiCol_Button, style.Colors[value ? ImGuiCol_ButtonActive : ImGuiCol_FrameBg]);
-    const bool clicked = ImGui::Button(label, size);
+    const bool clicked = ImGui::Button(spoken(label).c_str(), size);
     ImGui::PopStyleColor();
     markItem(registry, label, WidgetKind::toggle);
     if (clicked) value = !value;
@@ -124,10 +134,11 @@ bool toggle(WidgetRegistry& registry, const char* label, bool& value, ImVec2 siz
 
 bool combo(WidgetRegistry& registry, const char* label, int& index, std::span<const std::string_view> names) {
     const bool valid = index >= 0 && static_cast<std::size_t>(index) < names.size();
-    const std::string preview(valid ? names[static_cast<std::size_t>(index)] : std::string_view{});
+    const std::string preview(valid ? tr(names[static_cast<std::size_t>(index)]) : std::string_view{});
     const std::string window(currentWindow());
     const float width = ImGui::CalcItemWidth();
-    const bool open = ImGui::BeginCombo(label, preview.c_str(), ImGuiComboFlags_HeightLargest);
+    const bool open =
+        ImGui::BeginCombo(spoken(label).c_str(), preview.c_str(), ImGuiComboFlags_HeightLargest);
     if (!open) {
         noteFramed(registry, label, width, WidgetKind::combo);
         return false;
@@ -136,7 +147,7 @@ bool combo(WidgetRegistry& registry, const char* label, int& index, std::span<co
     for (std::size_t i = 0; i < names.size(); ++i) {
         const bool selected = static_cast<std::size_t>(index) == i;
         const std::string option(names[i]);
-        if (ImGui::Selectable(option.c_str(), selected) && !selected) {
+        if (ImGui::Selectable(spoken(option).c_str(), selected) && !selected) {
             index = static_cast<int>(i);
             changed = true;
         }
@@ -154,7 +165,8 @@ bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int leas
     bool changed;
     {
         const CtrlHeld typing(ImGui::GetIO(), ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
-        changed = ImGui::SliderInt(label, &value, least, most, "%d", sliderFlags(logarithmic));
+        changed =
+            ImGui::SliderInt(spoken(label).c_str(), &value, least, most, "%d", sliderFlags(logarithmic));
     }
     noteFramed(registry, label, width, WidgetKind::slider);
     return changed;
@@ -163,15 +175,15 @@ bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int leas
 bool dragScalar(WidgetRegistry& registry, const char* label, ImGuiDataType type, void* value,
                 const void* least, const void* most, float speed, const char* format, bool logarithmic) {
     const float width = ImGui::CalcItemWidth();
-    const bool changed =
-        ImGui::DragScalar(label, type, value, speed, least, most, format, sliderFlags(logarithmic));
+    const bool changed = ImGui::DragScalar(spoken(label).c_str(), type, value, speed, least, most, format,
+                                           sliderFlags(logarithmic));
     noteFramed(registry, label, width, WidgetKind::number);
     return changed;
 }
 
 bool inputText(WidgetRegistry& registry, const char* label, std::string& value) {
     const float width = ImGui::CalcItemWidth();
-    const bool changed = ImGui::InputText(label, &value);
+    const bool changed = ImGui::InputText(spoken(label).c_str(), &value);
     noteFramed(registry, label, width, WidgetKind::input);
     return changed;
 }
@@ -180,7 +192,8 @@ void tooltip(std::string_view words) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
-    ImGui::TextUnformatted(words.data(), words.data() + words.size());
+    const std::string_view shown = tr(words);
+    ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
     ImGui::PopTextWrapPos();
     ImGui::EndTooltip();
 }

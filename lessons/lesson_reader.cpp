@@ -10,30 +10,16 @@
 #include "lessons/step_values_reader.h"
 #include "lessons/table_reader.h"
 #include "lessons/text_file.h"
+#include "lessons/text_rules.h"
 #include "lessons/value_reader.h"
 
 namespace halfdisk {
 namespace {
 
-constexpr TextRule kHeadingRule{200, false, false};
-constexpr TextRule kMeaningRule{1000, true, false};
-constexpr TextRule kProseRule{20'000, true, false};
 constexpr std::size_t kMostTerms = 200;
 constexpr std::size_t kMostSteps = 200;
 constexpr std::size_t kMostClaims = 100;  // of a step
 constexpr std::uint64_t kMostEvents = 1'000'000'000;
-
-/// Offset of a place in a text.
-std::size_t offsetOf(std::string_view text, TextPosition where) {
-    std::size_t at = 0;
-    for (int line = 1; line < where.line && at < text.size(); ++line)
-        at = std::min(text.find('\n', at), text.size()) + 1;
-    for (int column = 1; column < where.column && at < text.size(); ++column) {
-        do ++at;
-        while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0u) == 0x80u);
-    }
-    return std::min(at, text.size());
-}
 
 class LessonReader {
  public:
@@ -198,16 +184,7 @@ class LessonReader {
     }
 
     Prose readProse(std::string_view key, const TomlValue& value) const {
-        const std::string marked = readText(file_, key, value, kProseRule);
-        try {
-            return parseProse(marked, lesson_.terms);
-        } catch (const MarkupError& error) {
-            // What was written with TOML's own escapes is not found again; then the start of the text must
-            // do.
-            const std::size_t found = text_.find(error.snippet, offsetOf(text_, value.where));
-            failAt(file_, found == std::string_view::npos ? value.where : positionOf(text_, found),
-                   fmt::format("\"{}\": {}", key, error.what()));
-        }
+        return halfdisk::readProse(file_, text_, key, value, lesson_.terms);
     }
 
     std::string_view text_;

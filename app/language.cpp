@@ -1,0 +1,77 @@
+#include "app/language.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/embedded_sources.h"
+#include "lessons/table_reader.h"
+#include "lessons/value_reader.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr TextRule kWordsRule{2000, true, false};
+
+/// {} {:.3f} ... in their order.
+std::vector<std::string_view> placeholdersOf(std::string_view text) {
+    std::vector<std::string_view> found;
+    for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{', open + 1)) {
+        const std::size_t close = std::min(text.find('}', open), text.size() - 1);
+        found.push_back(text.substr(open, close - open + 1));
+    }
+    return found;
+}
+
+}  // namespace
+
+Language parseLanguage(std::string_view text, const std::string& file, std::string code) {
+    const TomlValue document = parseToml(text, file);
+    TableReader table(file, std::get<TomlTable>(document.data), document.where, "a language");
+    const TomlValue* name = table.required("name");
+    const TomlValue* words = table.required("words");
+    table.finish();
+    Language language{std::move(code), readText(file, "name", *name, kWordsRule), {}};
+    for (const TomlEntry& entry : readTable(file, "words", *words).entries) {
+        std::string translation = readText(file, entry.key, entry.value, kWordsRule);
+        if (placeholdersOf(translation) != placeholdersOf(entry.key))
+            failAt(
+                file, entry.value.where,
+                fmt::format("\"{}\" has other placeholders than \"{}\", expected the same in the same order",
+                            translation, entry.key));
+        language.words.emplace(entry.key, std::move(translation));
+    }
+    return language;
+}
+
+std::vector<Language> loadLanguages() {
+    constexpr std::string_view kFolder = "assets/languages/", kEnding = ".toml";
+    std::vector<Language> languages;
+    for (const EmbeddedSource& source : embeddedSources()) {
+        if (!source.file.starts_with(kFolder)) continue;
+        std::string_view code = source.file.substr(kFolder.size());
+        code.remove_suffix(kEnding.size());
+        languages.push_back(parseLanguage(source.text, std::string(source.file), std::string(code)));
+    }
+    return languages;
+}
+
+const Language* findLanguage(const std::vector<Language>& languages, std::string_view code) {
+    for (const Language& language : languages)
+        if (language.code == code) return &language;
+    return nullptr;
+}
+
+void speak(const Language* language) {
+    ImGui::GetIO().UserData = const_cast<Language*>(language);
+}
+
+std::string_view tr(std::string_view english) {
+    if (!ImGui::GetCurrentContext()) return english;
+    const auto* language = static_cast<const Language*>(ImGui::GetIO().UserData);
+    if (!language) return english;
+    const auto found = language->words.find(english);
+    return found == language->words.end() ? english : std::string_view(found->second);
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,42 @@
+// In which language does the window speak? English stands in the source; a language is a table from those
+// words to others.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace halfdisk {
+
+struct Language {
+    std::string code;  ///< of lessons/<code>/ and --language: de
+    std::string name;  ///< in itself: Deutsch
+    std::map<std::string, std::string, std::less<>> words;
+};
+
+/// All but English, from assets/languages. Throws InputError if one of these files is not as it should be:
+/// a template must keep its placeholders.
+std::vector<Language> loadLanguages();
+
+/// Reads one: name = "...", [words] English = "translation".
+Language parseLanguage(std::string_view text, const std::string& file, std::string code);
+
+/// Null: English, or there is no such language.
+const Language* findLanguage(const std::vector<Language>& languages, std::string_view code);
+
+/// The current ImGui context speaks this language from now on (null: English). It must outlive the frame.
+void speak(const Language* language);
+
+/// The words in the context's language; the same words if it has none for them.
+std::string_view tr(std::string_view english);
+
+/// The same of a template with its values put in.
+template <class... Values>
+std::string say(std::string_view english, const Values&... values) {
+    return fmt::vformat(tr(english), fmt::make_format_args(values...));
+}
+
+}  // namespace halfdisk

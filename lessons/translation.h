@@ -1,0 +1,28 @@
+// How does a lesson speak another language? Its words stand in a file of their own; what a step shows and
+// sets does not.
+//
+// lessons/de/NN-slug.toml is the German of lessons/NN-slug.toml: title, section, every [[term]] (name,
+// meaning) and every [[step]] (title, prose, and ask, answer, goal where the step has them), in the same
+// order.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lessons/lesson.h"
+
+namespace halfdisk {
+
+/// Replaces the words of `lesson` by those of the file. Throws InputError if the file's terms or steps are
+/// not the lesson's.
+void translateLesson(Lesson& lesson, const std::filesystem::path& file);
+
+/// The same by the file that belongs to the language (`de`); the lesson stays as it is if there is none, or
+/// no language.
+void translateLesson(Lesson& lesson, const std::string& language);
+
+/// What a lesson is called in the language; empty if no file says so. A file that cannot be read says nothing
+/// here: the message comes when the lesson is opened.
+std::string translatedTitle(const std::filesystem::path& lessonFile, const std::string& language);
+
+}  // namespace halfdisk

@@ -48,6 +48,8 @@ void drawRun(const Canvas& canvas);
 void drawCurrentStep(const Canvas& canvas);
 void drawPoint(const Canvas& canvas, Vec2 P, Vec2 N);
 void drawGaze(const Canvas& canvas);
+/// What the term that is looked up speaks of.
+void drawTopic(const Canvas& canvas);
 void drawRayLegend(const Canvas& canvas);
 void drawFieldLegend(const Canvas& canvas);
 

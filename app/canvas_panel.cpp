@@ -163,6 +163,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     drawEditing(canvas);
     drawPoint(canvas, P, N);
     drawCurrentStep(canvas);
+    drawTopic(canvas);
     drawSplit(canvas);
     const ImVec2 p = canvas.screen(P);
     const ImVec2 below{p.x - canvas.px(20) * static_cast<float>(N.x),

@@ -95,8 +95,11 @@ void stepWords(const Ui& ui) {
     ImGui::EndChild();
 }
 
-/// Whether the step's own `listing` asks for this line to be marked.
+/// Whether the step's own `listing`, or a term that is looked up, asks for this line to be marked.
 bool isMarked(const AppState& state, int number) {
+    const TopicRow* topic = rowOf(state.topic);
+    if (topic && number > 0 && std::count(topic->listing.begin(), topic->listing.end(), number) > 0)
+        return true;
     const Step* step = state.currentStep();
     return step && number > 0 &&
            std::find(step->listing.begin(), step->listing.end(), number) != step->listing.end();

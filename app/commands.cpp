@@ -1,9 +1,11 @@
 #include "app/commands.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "app/edit_commands.h"
+#include "app/goal_check.h"
 #include "app/opening.h"
 #include "core/overload.h"
 
@@ -23,6 +25,7 @@ void stepEvents(AppState& state, int by) {
 }
 
 void jumpToLine(AppState& state, int line) {
+    state.chosenLine = line;
     const std::size_t count = state.eventCount();
     if (count == 0 || state.answer->pathRun) return;
     const std::size_t start = state.playback.stepping ? state.playback.event : 0;
@@ -55,6 +58,22 @@ void setView(AppState& state, const SetView& set) {
     if (picture && set.on && !state.shows(set.view)) ++state.questionId;  // the run and its playback stay
     if (set.view == View::eye) state.eyePixel.reset();
     state.show.set(set.view, set.on);
+}
+
+void drawCurve(AppState& state, const DrawCurve& stroke) {
+    state.drawing = true;
+    if (state.drawn.empty()) state.drawn.assign(kDrawnBins, -1.0f);
+    const auto binOf = [](double theta) {
+        return std::clamp(static_cast<int>(theta / kPi * kDrawnBins), 0, static_cast<int>(kDrawnBins) - 1);
+    };
+    const int first = binOf(stroke.fromTheta), last = binOf(stroke.toTheta), by = last < first ? -1 : 1;
+    for (int bin = first;; bin += by) {
+        const double t = last == first ? 1.0 : static_cast<double>(bin - first) / (last - first);
+        const double value = stroke.from + t * (stroke.to - stroke.from);
+        if (std::isfinite(value))
+            state.drawn[static_cast<std::size_t>(bin)] = static_cast<float>(std::max(0.0, value));
+        if (bin == last) return;
+    }
 }
 
 /// Does all of `change` or, if it throws, none of it.
@@ -107,6 +126,9 @@ void applyUnchecked(AppState& state, const Command& command) {
                 state.settings = c.settings;
                 askAnew(state);
             },
+            [&](const DrawCurve& c) { drawCurve(state, c); },
+            [&](EndStroke) { state.drawing = false; },
+            [&](LightTopic c) { state.topic = c.topic; },
             [&](const SetLanguage& c) { attempt(state, [&](AppState& next) { setLanguage(next, c.code); }); },
             [&](SetRun c) {
                 if (state.run == c.run) return;

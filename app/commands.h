@@ -117,6 +117,14 @@ struct RevealAnswer {};
 struct UnlockAll {
     bool on;
 };
+struct DrawCurve {
+    double fromTheta, toTheta;  ///< rad: the stroke of this frame
+    double from, to;            ///< W/(m rad), at its ends
+};
+struct EndStroke {};
+struct LightTopic {
+    Topic topic;  ///< in the next frame only
+};
 struct SetLanguage {
     std::string code;  ///< empty: English
 };
@@ -129,7 +137,7 @@ using Command =
                  BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent,
                  StepEvents, JumpToLine, JumpToSource, ShowWholeRun, TogglePlay, SetCamera, FitCamera,
                  ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, ShowPane, HideCanvas, RevealAnswer,
-                 UnlockAll, SetLanguage, ToggleHelp, DismissBanner>;
+                 UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage, ToggleHelp, DismissBanner>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.

@@ -198,6 +198,7 @@ void frame(Session& session, const Fonts& fonts, float uiScale) {
     if (state.helpShown) helpOverlay(ui);
     keyboard(ui);
 
+    state.topic = Topic::none;
     for (const Command& command : commands) apply(state, command);
     dropForeignAnswer(state);
     askLight(session);

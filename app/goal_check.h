@@ -10,6 +10,13 @@ namespace halfdisk {
 /// What the goal looks at, as far as the light is known now.
 std::optional<double> valueOf(const Goal& goal, const AppState& state);
 
+/// Bins of the curve that a reader draws, over theta from 0 to pi.
+inline constexpr std::size_t kDrawnBins = 60;
+
+/// Whether the step asks for a curve; what is exact stays hidden until it is drawn, and the pointer let go.
+bool asksForCurve(const AppState& state);
+bool isDrawn(const AppState& state);
+
 bool isReached(const Goal& goal, double value);
 
 }  // namespace halfdisk

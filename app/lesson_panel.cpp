@@ -1,6 +1,8 @@
 // What does the lesson say at this step, and how does one go on?
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "app/draw_text.h"
 #include "app/goal_check.h"
 #include "app/imgui_compat.h"
@@ -31,6 +33,22 @@ void chooser(const Ui& ui) {
     ui.commands.push_back(GoTo{chosen.slug, 0});
 }
 
+std::string progressOf(const AppState& state, const Goal& goal, const std::optional<double>& value) {
+    if (goal.quantity == GoalQuantity::line) {
+        if (!value) return std::string(tr("Click on a line of the code."));
+        return *value >= 1.0 ? say("line {}: yes", state.chosenLine)
+                             : say("line {}: no, another one", state.chosenLine);
+    }
+    if (goal.quantity == GoalQuantity::drawn && !value)
+        return std::string(tr("Drag over the plot, from its left to its right end."));
+    const bool percent = goal.quantity == GoalQuantity::relativeError || goal.quantity == GoalQuantity::drawn;
+    const auto number = [&](double x) {
+        return percent ? fmt::format("{} %", shown(std::round(1e4 * x) / 100.0)) : shown(x);
+    };
+    return say("now {}, wanted {} {}", value ? number(*value) : "\u2026",
+               goal.relation == Relation::atMost ? "\u2264" : "\u2265", number(goal.number));
+}
+
 /// What to do, and how far it is.
 void goalBox(const Ui& ui, const Goal& goal) {
     const std::optional<double> value = valueOf(goal, ui.state);
@@ -42,12 +60,8 @@ void goalBox(const Ui& ui, const Goal& goal) {
     ImGui::PopStyleColor();
     ImGui::PopFont();
     textWrapped(ui.widgets, goal.says);
-    const bool percent = goal.quantity == GoalQuantity::relativeError;
-    const auto number = [&](double x) { return percent ? fmt::format("{} %", shown(100.0 * x)) : shown(x); };
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
-    textWrapped(ui.widgets,
-                say("now {}, wanted {} {}", value ? number(*value) : "\u2026",
-                    goal.relation == Relation::atMost ? "\u2264" : "\u2265", number(goal.number)));
+    textWrapped(ui.widgets, progressOf(ui.state, goal, value));
     ImGui::PopStyleColor();
     tooltip(kGoalQuantities[static_cast<std::size_t>(goal.quantity)].meaning);
 }

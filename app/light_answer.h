@@ -100,8 +100,9 @@ struct LightAnswer {
 
     // stage 4: pictures, which do not depend on P (the profile only on its wall)
     PictureSet pictures, against;
-    std::shared_ptr<const std::vector<LightWay>> ways;  ///< of View::paths
-    std::optional<std::size_t> throughPupil;            ///< how many of them pass the eye, if there is one
+    std::shared_ptr<const std::vector<LightWay>> ways;          ///< of View::paths
+    std::vector<std::pair<std::string, std::size_t>> wayWords;  ///< how many have each word, commonest first
+    std::optional<std::size_t> throughPupil;  ///< how many of them pass the eye, if there is one
 
     bool complete = false;
 };

@@ -82,6 +82,23 @@ void costLine(const Ui& ui, const std::shared_ptr<const LightPicture>& picture) 
     ImGui::PopStyleColor();
 }
 
+/// `LD 41 %  LDD 30 %`: by what the paths met.
+void wordsLine(const Ui& ui, std::size_t all) {
+    constexpr std::size_t kMostWords = 6;
+    const auto& words = ui.state.answer->wayWords;
+    std::string line;
+    for (std::size_t i = 0; i < std::min(words.size(), kMostWords); ++i)
+        line += fmt::format("{}{} {:.0f} %", i > 0 ? "   " : "", words[i].first,
+                            100.0 * static_cast<double>(words[i].second) / static_cast<double>(all));
+    if (line.empty()) return;
+    ImGui::PushFont(ui.fonts.code);
+    textWrapped(ui.widgets, line);
+    ImGui::PopFont();
+    tooltip(
+        "How many of the paths met what: L is the light, D a wall that scatters, S a mirror or a skin of "
+        "glass. The commonest ones.");
+}
+
 void censusLine(const Ui& ui) {
     const AppState& state = ui.state;
     if (!state.shows(View::paths) || !state.answer || !state.answer->ways) return;
@@ -92,6 +109,7 @@ void censusLine(const Ui& ui) {
                      200.0 * kPupilRadius);
     textWrapped(ui.widgets, words);
     tooltip(say("The first {} of them are drawn.", std::min<std::size_t>(kWaysDrawn, ways.size())));
+    wordsLine(ui, ways.size());
 }
 
 }  // namespace

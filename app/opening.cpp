@@ -98,6 +98,9 @@ void enterStep(AppState& state, std::size_t step) {
     state.step = step;
     state.show = entered.show - state.rules.hidden;
     state.answerShown = false;
+    state.chosenLine = 0;
+    state.drawn.clear();
+    state.drawing = false;
     state.litLine = 0;
     state.grip = Grip::none;
     state.eyePixel.reset();

@@ -171,6 +171,7 @@ void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<
     if (asked.pictures.has(View::paths) && !answer.ways) {
         answer.ways = std::make_shared<const std::vector<LightWay>>(
             lightWays(asked.scene->index, kWaysFollowed, asked.settings.maxDepth, asked.settings.seed));
+        answer.wayWords = countWords(*answer.ways);
         if (const std::optional<Eye>& eye = asked.scene->scene.eye)
             answer.throughPupil = countPassing(*answer.ways, eye->position, kPupilRadius);
         publish();

@@ -49,6 +49,14 @@ std::vector<Tick> logarithmicTicks(const PlotAxis& axis, int about) {
     return ticks;
 }
 
+/// Whether a plot is what the term that is looked up is about.
+bool speaksOf(std::string_view plot, Topic topic) {
+    if (plot == "integrand")
+        return topic == Topic::radiance || topic == Topic::irradiance || topic == Topic::sample;
+    if (plot == "profile") return topic == Topic::irradiance;
+    return topic == Topic::error && (plot == "error" || plot == "histogram");
+}
+
 }  // namespace
 
 std::vector<Tick> ticksOf(const PlotAxis& axis, int about) {
@@ -109,6 +117,8 @@ Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, c
         drawText(ui, {p.x, plot.area.max.y + 0.55f * line}, palette.inkSoft, tick.label, Align::middle);
     }
     addRect(list, plot.area.min, plot.area.max, palette.inkSoft, 0.0f, 1.0f);
+    if (speaksOf(name, ui.state.topic))
+        addRect(list, plot.area.min, plot.area.max, palette.accent, 0.0f, 3 * ui.scale);
     drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, plot.area.max.y + gap + 1.4f * line},
              palette.inkSoft, x.label, Align::middle);
     return plot;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/draw_text.h"
+#include "app/drawn_curve.h"
 #include "app/panels.h"
 #include "app/plot.h"
 
@@ -57,6 +58,7 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
                                 {-90.0, 90.0, false, "\u03b8 from the normal (degrees)", 30.0},
                                 {0.0, 1.5 * top, false, "W/(m rad)", 0.0});
 
+    if (drawnCurve(ui, plot)) return;
     std::vector<ImVec2> radiance, weighted;
     for (const IntegrandPoint& p : answer.integrand) {
         const double L = gray(p.radiance);

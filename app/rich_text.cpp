@@ -81,6 +81,7 @@ void drawWord(const Ui& ui, const Word& word, ImVec2 at, float lineHeight, const
                      ui.palette.accent, ui.scale);
     if (!ImGui::IsWindowHovered() || !ImGui::IsMouseHoveringRect(at, end)) return;
     const Term& meant = terms[word.span->term];
+    if (meant.topic != Topic::none) ui.commands.push_back(LightTopic{meant.topic});
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
     ImGui::PushFont(ui.fonts.strong);

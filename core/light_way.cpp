@@ -1,5 +1,8 @@
 #include "light_way.h"
 
+#include <algorithm>
+#include <map>
+
 #include "estimators/light_paths.h"
 
 namespace halfdisk {
@@ -58,6 +61,15 @@ std::vector<LightWay> lightWays(const SegmentIndex& index, std::uint32_t count, 
         walk(index, light.ray, light.power, Carried::power, limits, rng, counts, scribe);
     }
     return std::move(scribe.ways);
+}
+
+std::vector<std::pair<std::string, std::size_t>> countWords(const std::vector<LightWay>& ways) {
+    std::map<std::string, std::size_t> counts;
+    for (const LightWay& way : ways) ++counts[way.word];
+    std::vector<std::pair<std::string, std::size_t>> words(counts.begin(), counts.end());
+    std::stable_sort(words.begin(), words.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    return words;
 }
 
 std::size_t countPassing(const std::vector<LightWay>& ways, Vec2 place, double radius) {

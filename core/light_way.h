@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "light_table.h"
@@ -21,6 +22,9 @@ struct LightWay {
 /// sets out evenly over the power of all lights. None in a dark scene.
 std::vector<LightWay> lightWays(const SegmentIndex& index, std::uint32_t count, std::uint32_t scatterings,
                                 std::uint64_t seed);
+
+/// Their words, the commonest first, each with how many have it.
+std::vector<std::pair<std::string, std::size_t>> countWords(const std::vector<LightWay>& ways);
 
 /// How many of the paths come within `radius` (m) of a place on their way.
 std::size_t countPassing(const std::vector<LightWay>& ways, Vec2 place, double radius);

@@ -27,7 +27,7 @@
 //   [step.goal]                    # what to reach by trying; the panel tells when it is
 //   says = "Put P where the caustic is brightest."
 //   reach = "profile"              # one of kGoalQuantities
-//   atLeast = 3                    # or atMost
+//   atLeast = 3                    # or atMost; of "line": lines = [18, 19], any of which is right
 //   [step.question]
 //   ask = "..."
 //   answer = "..."

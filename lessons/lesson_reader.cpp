@@ -99,6 +99,7 @@ class LessonReader {
         const TomlValue* meaning = table.required("meaning");
         table.finish();
         Term term{readName(file_, "name", *name), readText(file_, "meaning", *meaning, kMeaningRule)};
+        term.topic = topicOf(term.name);
         if (term.name.find_first_of("[]|\\*`") != std::string::npos)
             failAt(file_, name->where, "\"name\" holds one of [ ] | \\ * `, expected a term without markup");
         if (findTerm(lesson_.terms, term.name) != lesson_.terms.size())
@@ -161,7 +162,13 @@ class LessonReader {
         const TomlValue* reach = table.required("reach");
         const TomlValue* atLeast = table.optional("atLeast");
         const TomlValue* atMost = table.optional("atMost");
+        const TomlValue* lines = table.optional("lines");
         table.finish();
+        const GoalQuantity quantity = readNamed(file_, "reach", *reach, kGoalQuantities);
+        const std::string says_ = readText(file_, "says", *says, kMeaningRule);
+        if (quantity == GoalQuantity::line) return lineGoal(says_, value, lines, atLeast, atMost);
+        if (lines != nullptr)
+            failAt(file_, lines->where, "\"lines\" belong to a goal that reaches a \"line\"");
         if (atLeast != nullptr && atMost != nullptr)
             failAt(file_, atMost->where,
                    "the goal has two numbers, expected one of \"atLeast\" and \"atMost\"");
@@ -169,10 +176,25 @@ class LessonReader {
             failAt(file_, value.where, "the goal has no number, expected \"atLeast\" or \"atMost\"");
         constexpr NumberRule kNumberRule{-1e300, 1e300, "a finite number"};
         const Relation relation = atLeast != nullptr ? Relation::atLeast : Relation::atMost;
-        return {readText(file_, "says", *says, kMeaningRule),
-                readNamed(file_, "reach", *reach, kGoalQuantities), relation,
+        return {says_,
+                quantity,
+                relation,
                 readNumber(file_, nameOf(kRelations, relation), atLeast != nullptr ? *atLeast : *atMost,
-                           kNumberRule)};
+                           kNumberRule),
+                {}};
+    }
+
+    Goal lineGoal(const std::string& says, const TomlValue& goal, const TomlValue* lines,
+                  const TomlValue* atLeast, const TomlValue* atMost) const {
+        if (atLeast != nullptr || atMost != nullptr)
+            failAt(file_, (atLeast ? atLeast : atMost)->where,
+                   "a \"line\" has no number, expected \"lines\": those that are right");
+        if (lines == nullptr)
+            failAt(file_, goal.where,
+                   "the goal has no \"lines\", expected those of the listing that are right");
+        std::vector<int> right = readListing(*lines);
+        if (right.empty()) failAt(file_, lines->where, "\"lines\" is empty, expected at least one line");
+        return {says, GoalQuantity::line, Relation::atLeast, 1.0, std::move(right)};
     }
 
     Question readQuestion(const TomlValue& value) const {

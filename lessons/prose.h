@@ -12,12 +12,15 @@
 #include <string_view>
 #include <vector>
 
+#include "lessons/topic.h"
+
 namespace halfdisk {
 
 /// A word of the lesson that explains itself on hover.
 struct Term {
     std::string name;
     std::string meaning;
+    Topic topic = Topic::none;  ///< what lights up while it is looked up
     bool operator==(const Term&) const = default;
 };
 

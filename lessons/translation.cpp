@@ -50,8 +50,9 @@ class TranslationReader {
             const TomlValue* name = table.required("name");
             const TomlValue* meaning = table.required("meaning");
             table.finish();
-            lesson_.terms[i] = {readName(file_, "name", *name),
-                                readText(file_, "meaning", *meaning, kMeaningRule)};
+            Term& term = lesson_.terms[i];
+            term.name = readName(file_, "name", *name);
+            term.meaning = readText(file_, "meaning", *meaning, kMeaningRule);
         }
     }
 

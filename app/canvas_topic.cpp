@@ -1,0 +1,93 @@
+// What a term that is looked up speaks of, lit up on the canvas.
+#include <algorithm>
+
+#include "app/canvas.h"
+
+namespace halfdisk {
+namespace {
+
+/// Rays from P of one kind of event, thick.
+void drawRays(const Canvas& canvas, EventKind kind, bool below) {
+    const AppState& state = canvas.ui.state;
+    if (!state.answer || !state.answer->record || state.answer->pathRun) return;
+    const auto& events = state.answer->record->events;
+    const RecordSummary& summary = state.answer->summary;
+    constexpr std::size_t kMostDrawn = 400;
+    const std::vector<std::uint32_t>& indices = below ? summary.deeper : summary.atP;
+    std::size_t drawn = 0;
+    for (const std::uint32_t i : indices) {
+        const Event& event = events[i];
+        if (event.kind != kind || drawn++ >= kMostDrawn) continue;
+        const Vec2 to = event.missed ? canvas.farAlong(event.from, event.direction) : event.to;
+        canvas.line(event.from, to, withOpacity(canvas.ui.palette.accent, 0.8f), canvas.px(3));
+    }
+}
+
+void drawRing(const Canvas& canvas, Vec2 place) {
+    canvas.list.AddCircle(canvas.screen(place), canvas.px(20), canvas.ui.palette.accent, 0, canvas.px(3));
+}
+
+void lightUpSources(const Canvas& canvas) {
+    const Scene& scene = canvas.ui.state.scene->scene;
+    for (const Segment& wall : scene.segments)
+        if (isEmitter(wall)) canvas.line(wall.a, wall.b, canvas.ui.palette.accent, canvas.px(6));
+    for (const DeltaLight& light : scene.lights)
+        if (const auto* point = std::get_if<PointLight>(&light)) drawRing(canvas, point->position);
+}
+
+}  // namespace
+
+void drawTopic(const Canvas& canvas) {
+    const AppState& state = canvas.ui.state;
+    const Palette& palette = canvas.ui.palette;
+    const Vec2 P = positionOf(state.scene->scene, state.at), N = state.scene->index.normal(state.at.segment);
+    const Vec2 right{N.y, -N.x};
+    const float radius = halfDiskRadius(canvas);
+    const auto arrow = [&](Vec2 way) {
+        const ImVec2 p = canvas.screen(P);
+        canvas.list.AddLine(
+            p, {p.x + radius * static_cast<float>(way.x), p.y - radius * static_cast<float>(way.y)},
+            palette.accent, canvas.px(5));
+    };
+    switch (state.topic) {
+        case Topic::none:
+        case Topic::error:
+            break;
+        case Topic::shadowRay:
+            drawRays(canvas, EventKind::light, false);
+            break;
+        case Topic::halfDisk:
+            drawHalfDisk(canvas, P, N, 1.0f);
+            drawHalfDisk(canvas, P, N, 1.0f);
+            break;
+        case Topic::normal:
+            arrow(N);
+            break;
+        case Topic::tangent:
+            arrow(right);
+            arrow(-right);
+            break;
+        case Topic::sample:
+        case Topic::radiance:
+        case Topic::irradiance:
+            drawRays(canvas, EventKind::arrival, false);
+            break;
+        case Topic::albedo: {
+            const Segment& wall = state.scene->scene.segments[state.at.segment];
+            canvas.line(wall.a, wall.b, palette.accent, canvas.px(6));
+            break;
+        }
+        case Topic::recursion:
+            drawRays(canvas, EventKind::arrival, false);
+            drawRays(canvas, EventKind::arrival, true);
+            break;
+        case Topic::light:
+            lightUpSources(canvas);
+            break;
+        case Topic::eye:
+            if (state.scene->scene.eye) drawRing(canvas, state.scene->scene.eye->position);
+            break;
+    }
+}
+
+}  // namespace halfdisk

@@ -61,8 +61,10 @@ struct AppState {
     bool answerShown = false;
     bool helpShown = false;
     float uiScale = 1.0f;
-    std::string banner;  ///< a message about something that went wrong; the last good state stays
-    int litLine = 0;     ///< of the code panel: the line of the listing that it last scrolled to; 0: none yet
+    std::string banner;         ///< a message about something that went wrong; the last good state stays
+    std::string notice;         ///< a message about something that was done
+    bool exportWished = false;  ///< what is seen is to be written to files as soon as its light is complete
+    int litLine = 0;  ///< of the code panel: the line of the listing that it last scrolled to; 0: none yet
 
     // the light
     std::uint64_t questionId = 0;  ///< grows whenever scene, P, settings or wanted pictures change

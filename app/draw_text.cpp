@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "app/pen.h"
+
 namespace halfdisk {
 
 ImVec2 textSize(std::string_view words, ImFont* font) {
@@ -19,6 +21,10 @@ ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view words, Al
     at = {std::floor(at.x), std::floor(at.y)};
     ImGui::GetWindowDrawList()->AddText(used, used->FontSize, at, color, words.data(),
                                         words.data() + words.size());
+    if (SvgDrawing* drawing = penOf(ui).drawing) {
+        const TypeFace face = faceOf(ui.fonts, used);
+        drawing->text({at.x, at.y + face.ascent}, size.x, color, words, face);
+    }
     mark(ui.widgets, words, at, {at.x + size.x, at.y + size.y}, WidgetKind::text);
     return size;
 }

@@ -181,7 +181,7 @@ void askLight(Session& session) {
                        state.show & kPictureSet, state.makers});
 }
 
-void frame(Session& session, const Fonts& fonts, float uiScale) {
+void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {
     AppState& state = session.state;
     session.widgets.beginFrame();
     const auto latest = session.light.latest();
@@ -190,9 +190,12 @@ void frame(Session& session, const Fonts& fonts, float uiScale) {
     advance(state);
 
     Commands commands;
-    const Ui ui{state, fonts, session.palette, session.listings, session.widgets, commands, uiScale};
+    const Ui ui{state, fonts, session.palette, session.listings, session.widgets, commands, uiScale, sheet};
     columns(ui);
-    if (!state.banner.empty()) bannerBar(ui);
+    if (!state.banner.empty())
+        bannerBar(ui);
+    else if (state.exportWished || !state.notice.empty())
+        noticeBar(ui);
     if (state.helpShown) helpOverlay(ui);
     keyboard(ui);
 

@@ -38,7 +38,8 @@ Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, c
                const PlotAxis& y);
 
 /// A line of `points` (pixels) clipped to the plot.
-void plotLine(const Plot& plot, const std::vector<ImVec2>& points, ImU32 color, float thickness);
+void plotLine(const Ui& ui, const Plot& plot, const std::vector<ImVec2>& points, ImU32 color,
+              float thickness);
 
 /// One entry of a key in the plot's upper right corner: a stroke in the colour and its name. `row` counts
 /// from 0.

@@ -6,6 +6,7 @@
 
 #include "app/draw_text.h"
 #include "app/panels.h"
+#include "app/pen.h"
 #include "app/plot.h"
 
 namespace halfdisk {
@@ -45,6 +46,7 @@ void forPassedEvents(const AppState& state, EventKind kind, const Function& f) {
 }  // namespace
 
 void integrandPlot(const Ui& ui, ImVec2 size) {
+    const OnSheet drawing(ui, "integrand", size);
     constexpr const char* kTitle = "Light arriving at P";
     const AppState& state = ui.state;
     if (!state.answer || state.answer->integrand.empty())
@@ -63,15 +65,10 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
         radiance.push_back(plot.at(fromNormal(p.theta), L));
         weighted.push_back(plot.at(fromNormal(p.theta), L * std::sin(p.theta)));
     }
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImDrawListFlags smooth = list.Flags;
-    list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // else every slice gets soft edges, and the area stripes
-    for (std::size_t i = 1; i < weighted.size(); ++i)
-        list.AddQuadFilled(weighted[i - 1], weighted[i], {weighted[i].x, plot.area.max.y},
-                           {weighted[i - 1].x, plot.area.max.y}, withOpacity(ui.palette.light, 0.35f));
-    list.Flags = smooth;
-    plotLine(plot, radiance, ui.palette.exact, 2 * ui.scale);
-    plotLine(plot, weighted, ui.palette.point, 2 * ui.scale);
+    const Pen list = penOf(ui);
+    list.areaBelow(weighted, plot.area.max.y, withOpacity(ui.palette.light, 0.35f));
+    plotLine(ui, plot, radiance, ui.palette.exact, 2 * ui.scale);
+    plotLine(ui, plot, weighted, ui.palette.point, 2 * ui.scale);
     if (state.shows(View::rays))
         forPassedEvents(state, EventKind::sample, [&](const Event& event) {
             const float x = plot.at(fromNormal(event.theta), 0.0).x;
@@ -91,6 +88,7 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
 }
 
 void errorPlot(const Ui& ui, ImVec2 size) {
+    const OnSheet drawing(ui, "error", size);
     constexpr const char* kTitle = "Error against N";
     const AppState& state = ui.state;
     if (!state.answer || state.answer->errors.size() < 2)
@@ -109,7 +107,7 @@ void errorPlot(const Ui& ui, ImVec2 size) {
         beginPlot(ui, "error", kTitle, size, {0.8, 1.25 * mostN, true, "N, samples per bounce", 0.0},
                   {std::pow(10.0, std::floor(std::log10(low * 0.7))),
                    std::pow(10.0, std::ceil(std::log10(high * 1.2))), true, "rms error of E, W/m", 0.0});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     // Independent samples lie along it: in the middle of the dots, for the first ones may have met no lamp at
     // all. Stratified ones fall below the line on which they begin.
     std::vector<double> ofOnes;
@@ -117,7 +115,7 @@ void errorPlot(const Ui& ui, ImVec2 size) {
     std::sort(ofOnes.begin(), ofOnes.end());
     const bool independent = answer.asked.settings.sampler != Sampler::stratified;
     const double ofOne = independent ? ofOnes[ofOnes.size() / 2] : ofOnes.back();
-    plotLine(plot, {plot.at(1.0, ofOne), plot.at(1.25 * mostN, ofOne / std::sqrt(1.25 * mostN))},
+    plotLine(ui, plot, {plot.at(1.0, ofOne), plot.at(1.25 * mostN, ofOne / std::sqrt(1.25 * mostN))},
              ui.palette.inkSoft, 1.5f * ui.scale);
     list.PushClipRect(plot.area.min, plot.area.max, true);
     for (const ErrorPoint& p : answer.errors) {
@@ -148,6 +146,7 @@ void errorPlot(const Ui& ui, ImVec2 size) {
 }
 
 void histogramPlot(const Ui& ui, ImVec2 size) {
+    const OnSheet drawing(ui, "histogram", size);
     constexpr const char* kTitle = "What single samples bring";
     const AppState& state = ui.state;
     if (!state.answer || state.answer->histogramOf.empty())
@@ -174,7 +173,7 @@ void histogramPlot(const Ui& ui, ImVec2 size) {
     const Plot plot =
         beginPlot(ui, "histogram", kTitle, size, {low, high, false, "contribution to E, W/m", 0.0},
                   {0.0, std::min(1.0, 1.15 * tallest) * 100.0, false, "% of samples", 0.0});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     const double width = (high - low) / kBins;
     for (std::size_t i = 0; i < kBins; ++i) {
         const ImVec2 a = plot.at(low + width * static_cast<double>(i), 0.0);

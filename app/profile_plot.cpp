@@ -6,6 +6,7 @@
 
 #include "app/draw_text.h"
 #include "app/panels.h"
+#include "app/pen.h"
 #include "app/picture_stages.h"
 #include "app/plot.h"
 
@@ -55,11 +56,12 @@ double topOf(const std::vector<Curve>& curves) {
 }
 
 /// One step a bin, with a band of one standard error on both sides.
-void drawCurve(const Plot& plot, const Curve& curve, double length, float scale) {
+void drawCurve(const Ui& ui, const Plot& plot, const Curve& curve, double length) {
+    const float scale = ui.scale;
     const PixelStatistics& bins = curve.picture->film.pixels;
     const double width = length / static_cast<double>(bins.size());
     std::vector<ImVec2> steps;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     list.PushClipRect(plot.area.min, plot.area.max, true);
     for (std::size_t i = 0; i < bins.size(); ++i) {
         const Statistics bin = bins[i];
@@ -75,12 +77,13 @@ void drawCurve(const Plot& plot, const Curve& curve, double length, float scale)
         list.AddTriangleFilled({x, y}, {x + half, y + 2 * half}, {x - half, y + 2 * half}, curve.color);
     }
     list.PopClipRect();
-    plotLine(plot, steps, curve.color, 2 * scale);
+    plotLine(ui, plot, steps, curve.color, 2 * scale);
 }
 
 }  // namespace
 
 void profilePlot(const Ui& ui, ImVec2 size) {
+    const OnSheet drawing(ui, "profile", size);
     const AppState& state = ui.state;
     const std::string title =
         fmt::format("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
@@ -95,15 +98,14 @@ void profilePlot(const Ui& ui, ImVec2 size) {
     }
     const Plot plot = beginPlot(ui, "profile", title.c_str(), size, along,
                                 {0.0, topOf(curves), false, "irradiance E, W/m", 0.0});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     const float at = plot.at(state.at.t * length, 0.0).x;
     list.AddLine({at, plot.area.min.y}, {at, plot.area.max.y}, withOpacity(ui.palette.point, 0.5f),
                  1.5f * ui.scale);
     drawText(ui, {at + 3 * ui.scale, plot.area.max.y - ImGui::GetFontSize() - 2 * ui.scale},
              ui.palette.estimate, "P");
     int row = 0;
-    for (auto curve = curves.rbegin(); curve != curves.rend(); ++curve)
-        drawCurve(plot, *curve, length, ui.scale);
+    for (auto curve = curves.rbegin(); curve != curves.rend(); ++curve) drawCurve(ui, plot, *curve, length);
     for (const Curve& curve : curves) plotKey(ui, plot, row++, curve.color, curve.title.c_str());
     if (!plot.hovered()) return;
     const double place = plot.xAt(ImGui::GetIO().MousePos.x);

@@ -9,12 +9,12 @@
 #include "app/panels.h"
 #include "app/pen.h"
 #include "app/picture_stages.h"
+#include "app/plot_words.h"
 
 namespace halfdisk {
 namespace {
 
 constexpr float kStripHeight = 36;  // design pixels
-constexpr const char* kTitle = "What the eye sees";
 
 /// Why there is no strip yet, or never.
 std::string whyEmpty(const AppState& state, const LightPicture* picture) {
@@ -85,9 +85,10 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) 
         max{origin.x + size.x, origin.y + size.y};
     const std::optional<std::uint32_t> pixel = pointed(picture, min, max);
 
+    const std::string what = drawingTitle(ui.state, "eye");
     const std::string words = row.maker.empty()
-                                  ? kTitle
-                                  : firstThatFits({fmt::format("{}: {}", kTitle, row.maker), row.maker,
+                                  ? what
+                                  : firstThatFits({fmt::format("{}: {}", what, row.maker), row.maker,
                                                    row.difference.empty() ? row.maker : row.difference},
                                                   width);
     const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, words);

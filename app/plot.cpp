@@ -71,7 +71,7 @@ bool Plot::hovered() const {
     return ImGui::IsWindowHovered() && area.contains(ImGui::GetIO().MousePos);
 }
 
-Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, const PlotAxis& x,
+Plot beginPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 size, const PlotAxis& x,
                const PlotAxis& y) {
     const Palette& palette = ui.palette;
     const ImVec2 origin = ImGui::GetCursorScreenPos();

@@ -34,7 +34,7 @@ struct Plot {
 };
 
 /// Reserves `size` in the current window and draws everything but the curves.
-Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, const PlotAxis& x,
+Plot beginPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 size, const PlotAxis& x,
                const PlotAxis& y);
 
 /// A line of `points` (pixels) clipped to the plot.

@@ -7,8 +7,9 @@
 #include "app/draw_text.h"
 #include "app/panels.h"
 #include "app/pen.h"
-#include "app/picture_stages.h"
 #include "app/plot.h"
+#include "app/plot_words.h"
+#include "app/shown_pictures.h"
 
 namespace halfdisk {
 namespace {
@@ -22,16 +23,8 @@ struct Curve {
 /// Those that have something to show.
 std::vector<Curve> curvesOf(const Ui& ui) {
     std::vector<Curve> curves;
-    if (!ui.state.answer) return curves;
-    const LightAnswer& answer = *ui.state.answer;
-    const Maker first = answer.asked.makers.first.value_or(usualMaker(View::profile));
-    const Maker* second = answer.asked.makers.second ? &*answer.asked.makers.second : nullptr;
-    const auto add = [&](const auto& picture, const Maker& maker, const Maker* other, ImU32 color) {
-        if (picture && picture->film.passes > 0)
-            curves.push_back({picture.get(), titleOf(maker, other), color});
-    };
-    add(answer.pictures.profile, first, second, ui.palette.estimate);
-    if (second) add(answer.against.profile, *second, &first, ui.palette.exact);
+    for (const ShownPicture& shown : shownPictures(ui.state, View::profile))
+        curves.push_back({shown.picture, shown.maker, shown.second ? ui.palette.exact : ui.palette.estimate});
     return curves;
 }
 
@@ -85,19 +78,18 @@ void drawCurve(const Ui& ui, const Plot& plot, const Curve& curve, double length
 void profilePlot(const Ui& ui, ImVec2 size) {
     const OnSheet drawing(ui, "profile", size);
     const AppState& state = ui.state;
-    const std::string title =
-        fmt::format("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
+    const std::string title = drawingTitle(state, "profile");
     const std::vector<Curve> curves = curvesOf(ui);
     const double length = state.scene->index.length(state.at.segment);
     const PlotAxis along{0.0, length, false, "place on the wall, m", 0.0};
     if (curves.empty()) {
-        const Plot plot = beginPlot(ui, "profile", title.c_str(), size, along, {});
+        const Plot plot = beginPlot(ui, "profile", title, size, along, {});
         drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, (plot.area.min.y + plot.area.max.y) / 2},
                  ui.palette.inkSoft, whyEmpty(state), Align::middle);
         return;
     }
-    const Plot plot = beginPlot(ui, "profile", title.c_str(), size, along,
-                                {0.0, topOf(curves), false, "irradiance E, W/m", 0.0});
+    const Plot plot =
+        beginPlot(ui, "profile", title, size, along, {0.0, topOf(curves), false, "irradiance E, W/m", 0.0});
     const Pen list = penOf(ui);
     const float at = plot.at(state.at.t * length, 0.0).x;
     list.AddLine({at, plot.area.min.y}, {at, plot.area.max.y}, withOpacity(ui.palette.point, 0.5f),

@@ -46,6 +46,9 @@ std::vector<NumberWords> numberWords(const AppState& state) {
     const bool finished = !state.playback.stepping || state.playback.event >= state.eventCount();
     const bool counted = state.shows(View::numbers) && finished;
     if (counted) addEstimate(numbers, state, answer);
+    if (state.shows(View::numbers) && !finished)
+        numbers.push_back({"estimate of E", fmt::format("not finished, at step {} of {}",
+                                                        state.playback.event, state.eventCount())});
     if (state.shows(View::exact)) {
         numbers.push_back({"exact E", answer.exact ? irradiance(*answer.exact) : "not known"});
         if (counted && answer.exact && gray(*answer.exact) != 0.0)

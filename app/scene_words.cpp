@@ -53,8 +53,9 @@ std::string geometryWords(const Geometry& geometry) {
                                    facingWords(s.facing));
             },
             [](const CircleShape& s) {
-                return fmt::format("a circle about {} with radius {:.6g} m, of {} walls, {}",
-                                   placeWords(s.center), s.radius, s.segments, facingWords(s.facing));
+                return fmt::format("a {}circle about {} with radius {:.6g} m, of {} walls, {}",
+                                   s.smooth ? "smooth " : "", placeWords(s.center), s.radius, s.segments,
+                                   facingWords(s.facing));
             },
             [](const ArcShape& s) {
                 return fmt::format(

@@ -37,10 +37,9 @@ class OnSheet {
         }
         sheet_->open.emplace(std::string(name), min, max, ui.palette.background);
     }
-    /// From where the next item of the window goes.
+    /// From where the next item of the window goes, with a margin.
     OnSheet(const Ui& ui, std::string_view name, ImVec2 size)
-        : OnSheet(ui, name, ImGui::GetCursorScreenPos(),
-                  {ImGui::GetCursorScreenPos().x + size.x, ImGui::GetCursorScreenPos().y + size.y}) {}
+        : OnSheet(ui, name, withMargin(ui, {0.0f, 0.0f}, -1.0f), withMargin(ui, size, 1.0f)) {}
     ~OnSheet() { end(); }
     OnSheet(const OnSheet&) = delete;
     OnSheet& operator=(const OnSheet&) = delete;
@@ -53,6 +52,13 @@ class OnSheet {
     }
 
  private:
+    static constexpr float kMargin = 8;  // design pixels
+    static ImVec2 withMargin(const Ui& ui, ImVec2 offset, float sign) {
+        const ImVec2 at = ImGui::GetCursorScreenPos();
+        const float margin = sign * kMargin * ui.scale;
+        return {at.x + offset.x + margin, at.y + offset.y + margin};
+    }
+
     Sheet* sheet_;
 };
 

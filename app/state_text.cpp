@@ -56,7 +56,7 @@ void addLesson(WordsPage& page, const AppState& state) {
     page.paragraph(fmt::format("Lesson {}, {}. It teaches, of the published one: {}.", state.lesson->number,
                                state.lesson->slug, state.lesson->section));
     page.heading("What the lesson says");
-    page.paragraph(plainText(step->prose));
+    page.prose(plainText(step->prose));
     addTerms(page, *state.lesson, *step);
     if (step->goal) addGoal(page, state, *step->goal);
     if (!step->question) return;
@@ -87,6 +87,32 @@ void addSettings(WordsPage& page, const AppState& state) {
                 page.fact("this step unlocks", fmt::format("{}: {}", control.name, control.meaning));
 }
 
+/// What makes the pictures, with its parameters.
+void addMakers(WordsPage& page, const AppState& state) {
+    const auto add = [&](std::string_view name, const Maker& maker) {
+        const EstimatorInfo& info = *findEstimator(maker.estimator);
+        std::string words = fmt::format("{}: {}", info.id, info.meaning);
+        for (std::size_t i = 0; i < info.params.size(); ++i) {
+            const ParamInfo& param = info.params[i];
+            const double value = maker.params[i];
+            words += fmt::format("{} {} ", i == 0 ? ";" : ",", param.name);
+            words += param.choices.empty() ? shown(value)
+                                           : std::string(param.choices[static_cast<std::size_t>(value)]);
+        }
+        if (maker.depth) words += fmt::format("; depth {}", *maker.depth);
+        page.fact(name, words);
+    };
+    if (state.makers.second) {
+        if (state.makers.first) add("estimator A of the pictures", *state.makers.first);
+        add("estimator B of the pictures", *state.makers.second);
+        return;
+    }
+    if (state.makers.first) return add("estimator of the pictures", *state.makers.first);
+    for (const View view : kPictureViews)
+        if (state.shows(view))
+            add(fmt::format("estimator of the {}", nameOf(kViews, view)), usualMaker(view));
+}
+
 void addScene(WordsPage& page, const AppState& state) {
     const SceneDescription& scene = state.scene->description;
     page.heading(scene.title.empty() ? "Scene" : fmt::format("Scene: {}", scene.title));
@@ -113,8 +139,9 @@ void addRun(WordsPage& page, const AppState& state) {
     const Record& record = *answer->record;
     std::uint32_t deepest = 0;
     for (const Call& call : record.calls) deepest = std::max(deepest, call.depth);
-    page.paragraph(fmt::format("{} steps in {} half-disks, down to depth {}; {} rays.{}",
-                               record.events.size(), record.calls.size(), deepest, record.rays,
+    page.paragraph(fmt::format("{} steps in {} half-disk{}, down to depth {}; {} rays.{}",
+                               record.events.size(), record.calls.size(), record.calls.size() == 1 ? "" : "s",
+                               deepest, record.rays,
                                record.truncated ? " Deeper steps were left out of the record." : ""));
     std::string kinds;
     for (const auto& kind : kEventKinds) {
@@ -128,7 +155,7 @@ void addRun(WordsPage& page, const AppState& state) {
                                std::min(state.playback.event, state.eventCount()), state.eventCount()));
     if (const Event* event = currentEvent(state)) {
         const StepText words = describeStep(state);
-        page.paragraph(fmt::format("Line {} of the published listing, {}: {} {}", listingLine(event->kind),
+        page.paragraph(fmt::format("Line {} of the published listing, {}: {} ({})", listingLine(event->kind),
                                    words.where, words.what, words.values));
     }
 }
@@ -158,6 +185,7 @@ std::string stateText(const AppState& state) {
     for (const Named<View>& view : kViews)
         if (state.shows(view.value)) page.item(fmt::format("{}: {}", view.name, view.meaning));
     addSettings(page, state);
+    addMakers(page, state);
     addScene(page, state);
     if (state.shows(View::numbers) || state.shows(View::exact) || state.shows(View::damage)) {
         page.heading("Numbers");

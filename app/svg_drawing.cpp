@@ -180,11 +180,17 @@ void SvgDrawing::circleFilled(ImVec2 center, float radius, ImU32 color) {
 void SvgDrawing::cells(ImVec2 min, ImVec2 max, std::span<const std::uint32_t> colors, std::uint32_t columns,
                        float opacity) {
     if (colors.empty() || columns == 0) return;
-    Image image{static_cast<int>(columns), static_cast<int>(colors.size() / columns), {}};
-    image.rgba.reserve(4 * colors.size());
-    for (const std::uint32_t color : colors)
-        for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT, IM_COL32_A_SHIFT})
-            image.rgba.push_back(static_cast<std::uint8_t>(channel(color, shift)));
+    const auto rows = static_cast<std::uint32_t>(colors.size() / columns);
+    // Not every viewer keeps cells sharp when it magnifies them: those of several pixels are.
+    constexpr std::uint32_t kSide = 2048, kMostTimes = 16;
+    const std::uint32_t times = std::clamp(kSide / std::max(columns, rows), 1u, kMostTimes);
+    Image image{static_cast<int>(columns * times), static_cast<int>(rows * times), {}};
+    image.rgba.reserve(std::size_t{4} * times * times * colors.size());
+    for (std::uint32_t y = 0; y < rows * times; ++y)
+        for (std::uint32_t x = 0; x < columns * times; ++x)
+            for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT, IM_COL32_A_SHIFT})
+                image.rgba.push_back(static_cast<std::uint8_t>(
+                    channel(colors[std::size_t{y / times} * columns + x / times], shift)));
     add(fmt::format(
         "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\"{} "
         "style=\"image-rendering:optimizeSpeed;image-rendering:pixelated\" "

@@ -56,6 +56,15 @@ void WordsPage::paragraph(std::string_view words) {
     }
 }
 
+void WordsPage::prose(std::string_view words) {
+    for (bool first = true; !words.empty(); first = false) {
+        const std::string_view line = words.substr(0, words.find('\n'));
+        words.remove_prefix(std::min(words.size(), line.size() + 1));
+        if (!first) text_ += '\n';
+        lines(line, "", "");
+    }
+}
+
 void WordsPage::item(std::string_view words) {
     lines(words, "- ", "  ");
 }

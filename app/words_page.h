@@ -13,6 +13,7 @@ class WordsPage {
     void title(std::string_view words);
     void heading(std::string_view words);
     void paragraph(std::string_view words);  ///< line ends in it begin new ones
+    void prose(std::string_view words);      ///< the same, with an empty line between them
     void item(std::string_view words);       ///< of a list
     void fact(std::string_view name, std::string_view value);
 

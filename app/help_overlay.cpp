@@ -83,15 +83,17 @@ bool messageBar(const Ui& ui, ImU32 ground, std::string_view words, const char* 
     ImGui::SetNextWindowSizeConstraints({screen.x, 0.0f}, {screen.x, 0.4f * screen.y});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.panel);
-    ImGui::SetNextWindowFocus();
+    // Over the help. Else it must not take the focus: what is pressed elsewhere would be let go.
+    if (ui.state.helpShown) ImGui::SetNextWindowFocus();
     ImGui::Begin("Message", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoSavedSettings);
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
     textWrapped(ui.widgets, words);
     ImGui::PopStyleColor();
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.ink);
+    ImGui::PushStyleColor(ImGuiCol_Button, ui.palette.panel);
     const bool pressed = button(ui.widgets, label);
-    ImGui::PopStyleColor();
+    ImGui::PopStyleColor(2);
     ImGui::End();
     ImGui::PopStyleColor();
     return pressed;

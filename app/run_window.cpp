@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <utility>
+#include <system_error>
 
 #include "app/autosave.h"
 #include "app/cli_actions.h"
@@ -54,7 +54,9 @@ int runWindow(const WindowRequest& request) {
     const FrameMaker maker{draw, draw, [&] { return host->readPixels(); },
                            [&]() -> const Fonts& { return host->fonts(); },
                            [&] { return host->fullScale(); }};
-    host->run(show, [&] { exportIfReady(session, maker, "."); });
+    std::error_code gone;
+    const std::filesystem::path here = std::filesystem::current_path(gone);
+    host->run(show, [&] { exportIfReady(session, maker, here); });
     return kExitSuccess;
 }
 

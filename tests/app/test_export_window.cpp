@@ -60,6 +60,8 @@ TEST_CASE("export: while the light is not complete nothing is written, and the b
     rig.driver.frames();
     CHECK(message(rig).find("waits for the light. 0 %: P 0 %") != std::string::npos);
     rig.driver.frames();
+    rig.driver.click("Controls/Unlock all");  // the bar takes nothing that is pressed elsewhere
+    CHECK(rig.state().unlockAll);
     rig.driver.click("Message/Cancel");
     CHECK_FALSE(rig.state().exportWished);
     rig.session.asked = 0;

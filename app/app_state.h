@@ -62,11 +62,13 @@ struct AppState {
     bool answerShown = false;
     bool helpShown = false;
     float uiScale = 1.0f;
-    std::string language;      ///< of the window and the lessons; empty: English
-    std::string banner;        ///< a message about something that went wrong; the last good state stays
-    int chosenLine = 0;        ///< of the listing, by a click; 0: none
-    std::vector<float> drawn;  ///< W/(m rad): the curve that the reader expects, by bins of theta from 0 to
-                               ///< pi; negative: not drawn there. Empty: nothing yet
+    std::string language;       ///< of the window and the lessons; empty: English
+    std::string banner;         ///< a message about something that went wrong; the last good state stays
+    std::string notice;         ///< a message about something that was done
+    bool exportWished = false;  ///< what is seen is to be written to files as soon as its light is complete
+    int chosenLine = 0;         ///< of the listing, by a click; 0: none
+    std::vector<float> drawn;   ///< W/(m rad): the curve that the reader expects, by bins of theta from 0 to
+                                ///< pi; negative: not drawn there. Empty: nothing yet
     bool drawing = false;       ///< the pointer is down on it
     Topic topic = Topic::none;  ///< of the term that is being looked up
     int litLine = 0;  ///< of the code panel: the line of the listing that it last scrolled to; 0: none yet

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/camera.h"
-#include "app/frame.h"
+#include "app/pen.h"
 
 namespace halfdisk {
 
@@ -12,7 +12,7 @@ struct Canvas {
     const Ui& ui;
     CanvasRect rect;
     Camera camera;
-    ImDrawList& list;
+    Pen list;
 
     ImVec2 screen(Vec2 world) const { return toScreen(camera, rect, world); }
     /// A line between two points of the plane, however far they are.

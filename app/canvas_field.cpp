@@ -60,14 +60,18 @@ void drawOneField(const Canvas& canvas, const LightPicture& picture) {
     const auto top = [&](std::uint32_t row) {
         return std::round(canvas.screen({0.0, field.max.y - row * cell.y}).y);
     };
+    // On the screen runs of one colour, to the sheet a picture.
+    if (canvas.list.drawing)
+        canvas.list.drawing->cells({left(0), top(0)}, {left(field.width), top(field.height)}, picture.colors,
+                                   field.width, kOpacity);
     for (std::uint32_t row = 0; row < field.height; ++row) {
         const float high = top(row), low = top(row + 1);
         if (low <= canvas.rect.min.y || high >= canvas.rect.max.y) continue;
         const std::uint32_t* colors = picture.colors.data() + std::size_t{row} * field.width;
         for (std::uint32_t begin = 0, end = 0; begin < field.width; begin = end) {
             while (end < field.width && colors[end] == colors[begin]) ++end;
-            canvas.list.AddRectFilled({left(begin), high}, {left(end), low},
-                                      withOpacity(colors[begin], kOpacity));
+            canvas.list.screen.AddRectFilled({left(begin), high}, {left(end), low},
+                                             withOpacity(colors[begin], kOpacity));
         }
     }
 }

@@ -80,9 +80,9 @@ void cornerButtons(const Canvas& canvas) {
     const float width = cornerWidth(ui.state);
     const float left = std::max(canvas.rect.min.x, canvas.rect.max.x - width - canvas.px(2));
     const ImVec2 corner{left, canvas.rect.min.y + canvas.px(6)};
-    canvas.list.AddRectFilled({corner.x - canvas.px(6), canvas.rect.min.y},
-                              {canvas.rect.max.x, corner.y + ImGui::GetFrameHeight() + canvas.px(6)},
-                              ui.palette.background);
+    canvas.list.screen.AddRectFilled({corner.x - canvas.px(6), canvas.rect.min.y},
+                                     {canvas.rect.max.x, corner.y + ImGui::GetFrameHeight() + canvas.px(6)},
+                                     ui.palette.background);
     ImGui::SetCursorScreenPos(corner);
     if (!ui.state.rules.kiosk) {
         bool editing = ui.state.editing.on;
@@ -137,7 +137,8 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
         camera.center.y += (inner.center().y - rect.center().y) / camera.pixelsPerMeter;
         if (!(camera == state.camera)) ui.commands.push_back(SetCamera{camera, true});
     }
-    const Canvas canvas{ui, rect, camera, *ImGui::GetWindowDrawList()};
+    OnSheet drawing(ui, "canvas", rect.min, rect.max);
+    const Canvas canvas{ui, rect, camera, penOf(ui)};
 
     ImGui::SetItemAllowOverlap();
     ImGui::InvisibleButton("canvas", available,
@@ -176,6 +177,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     drawRayLegend(canvas);
     drawFieldLegend(canvas);
     canvas.list.PopClipRect();
+    drawing.end();
     mark(ui.widgets, "P", {p.x - canvas.px(6), p.y - canvas.px(6)}, {p.x + canvas.px(6), p.y + canvas.px(6)});
 
     interact(canvas, hovered, active);

@@ -21,6 +21,7 @@ constexpr const char* kFooter = R"(Examples:
   halfdisk lessons                               which lessons there are
   halfdisk probe room.toml --at floor:0.5        how much light arrives there
   halfdisk estimators room.toml                  which ways to carry light there are
+  halfdisk export caustic:4 -o caustic           what a step shows as pictures, tables and words
   halfdisk eye room.toml -o room.png             what the scene's eye sees
   halfdisk verify                                whether the lessons' claims are true
 

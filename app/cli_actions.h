@@ -26,23 +26,32 @@ struct PictureSize {
 inline constexpr int kLeastPictureSize = 320, kMostPictureSize = 7680;
 inline constexpr double kLeastPictureScale = 0.5, kMostPictureScale = 4.0;
 
-struct WindowRequest {
+/// What is to be seen first.
+struct OpeningRequest {
     std::filesystem::path lessonsFolder;
-    std::optional<LessonRef> lesson;             ///< none: the first lesson
+    std::optional<LessonRef> lesson;             ///< none: the first lesson, or the scene alone
     std::optional<std::filesystem::path> scene;  ///< shown in place of the lesson's own
+    std::optional<std::string> shared;           ///< a text of share_text.h, in place of lesson and scene
+    std::string language{};                      ///< code; empty: English
+};
+
+struct WindowRequest {
+    OpeningRequest opening;
     ClassRules rules{};
-    std::optional<std::string> shared{};  ///< a text of share_text.h, in place of lesson and scene
-    std::string language{};               ///< code; empty: English
 };
 
 struct ScreenshotRequest {
-    std::filesystem::path lessonsFolder;
-    LessonRef lesson;
-    std::optional<std::filesystem::path> scene;  ///< shown in place of the lesson's own
-    std::filesystem::path output;                ///< a PNG file
+    OpeningRequest opening;
+    std::filesystem::path output;  ///< a PNG file
     PictureSize size;
     double scale = 1.0;  ///< of the user interface
-    std::string language{};
+};
+
+struct ExportRequest {
+    OpeningRequest opening;
+    std::filesystem::path outputFolder;  ///< made if it is not there
+    PictureSize size;
+    double scale = 1.0;  ///< of the user interface
 };
 
 struct TourRequest {
@@ -53,6 +62,9 @@ struct TourRequest {
 
 int runWindow(const WindowRequest& request);
 int runScreenshot(const ScreenshotRequest& request);
+
+/// What is seen, as files: see export_files.h. Prints their names.
+int runExport(const ExportRequest& request);
 
 /// Every step of every lesson to <slug>-<step>.png.
 int runTour(const TourRequest& request);

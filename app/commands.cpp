@@ -91,7 +91,7 @@ bool isForbidden(const AppState& state, const Command& command) {
     return std::holds_alternative<OpenScene>(command) || std::holds_alternative<OpenShared>(command) ||
            std::holds_alternative<OpenFile>(command) || std::holds_alternative<SetEditing>(command) ||
            std::holds_alternative<EditScene>(command) || std::holds_alternative<SaveScene>(command) ||
-           std::holds_alternative<UnlockAll>(command);
+           std::holds_alternative<UnlockAll>(command) || std::holds_alternative<ExportSeen>(command);
 }
 
 void applyUnchecked(AppState& state, const Command& command) {
@@ -202,6 +202,14 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](UnlockAll c) { state.unlockAll = c.on; },
             [&](ToggleHelp) { state.helpShown = !state.helpShown; },
             [&](DismissBanner) { state.banner.clear(); },
+            [&](ExportSeen) {
+                state.exportWished = true;
+                state.notice.clear();
+            },
+            [&](DismissNotice) {
+                state.exportWished = false;
+                state.notice.clear();
+            },
         },
         command);
 }

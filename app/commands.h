@@ -130,14 +130,16 @@ struct SetLanguage {
 };
 struct ToggleHelp {};
 struct DismissBanner {};
+struct ExportSeen {};     ///< to files, once the light is complete
+struct DismissNotice {};  ///< and no export any more
 
-using Command =
-    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, Reload,
-                 SetSettings, SetRun, SetMakers, SetSplit, SetEditing, SetTool, SetSnap, SelectThing,
-                 BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent,
-                 StepEvents, JumpToLine, JumpToSource, ShowWholeRun, TogglePlay, SetCamera, FitCamera,
-                 ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, ShowPane, HideCanvas, RevealAnswer,
-                 UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage, ToggleHelp, DismissBanner>;
+using Command = std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, Reload,
+                             SetSettings, SetRun, SetMakers, SetSplit, SetEditing, SetTool, SetSnap,
+                             SelectThing, BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene,
+                             MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun,
+                             TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView,
+                             LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke,
+                             LightTopic, SetLanguage, ToggleHelp, DismissBanner, ExportSeen, DismissNotice>;
 using Commands = std::vector<Command>;
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.

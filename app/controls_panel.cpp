@@ -150,11 +150,17 @@ void controlsPanel(const Ui& ui) {
     sameLineIfFits("Reset", width);
     if (button(ui.widgets, "Reset", {width, 0})) ui.commands.push_back(ResetStep{});
     tooltip("everything as the step began (R)");
-    if (button(ui.widgets, "Copy state", {-1, 0})) ImGui::SetClipboardText(shareText(state).c_str());
+    const float copy = std::max(half, textSize("Copy state").x + 2 * style.FramePadding.x);
+    if (button(ui.widgets, "Copy state", {copy, 0})) ImGui::SetClipboardText(shareText(state).c_str());
     tooltip(
         "all that is seen here as one text, to be pasted into another Halfdisk (Ctrl C, Ctrl V) or started "
         "with: "
         "halfdisk --state TEXT");
+    sameLineIfFits("Export", copy);
+    if (button(ui.widgets, "Export", {copy, 0})) ui.commands.push_back(ExportSeen{});
+    tooltip(
+        "all that is seen here to files in a new folder: PNG, SVG, CSV, JSON and words (Ctrl E). It waits "
+        "until the light is complete.");
 }
 
 }  // namespace halfdisk

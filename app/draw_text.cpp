@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/language.h"
+#include "app/pen.h"
 
 namespace halfdisk {
 
@@ -23,6 +24,10 @@ ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view english, 
     at = {std::floor(at.x), std::floor(at.y)};
     ImGui::GetWindowDrawList()->AddText(used, used->FontSize, at, color, words.data(),
                                         words.data() + words.size());
+    if (SvgDrawing* drawing = penOf(ui).drawing) {
+        const TypeFace face = faceOf(ui.fonts, used);
+        drawing->text({at.x, at.y + face.ascent}, size.x, color, words, face);
+    }
     mark(ui.widgets, words, at, {at.x + size.x, at.y + size.y}, WidgetKind::text);
     return size;
 }

@@ -7,13 +7,14 @@
 
 #include "app/draw_text.h"
 #include "app/panels.h"
+#include "app/pen.h"
 #include "app/picture_stages.h"
+#include "app/plot_words.h"
 
 namespace halfdisk {
 namespace {
 
 constexpr float kStripHeight = 36;  // design pixels
-constexpr const char* kTitle = "What the eye sees";
 
 /// Why there is no strip yet, or never.
 std::string whyEmpty(const AppState& state, const LightPicture* picture) {
@@ -42,13 +43,17 @@ std::vector<Row> rowsOf(const AppState& state) {
 }
 
 void drawStrip(const Ui& ui, const LightPicture& picture, ImVec2 min, ImVec2 max) {
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     const auto count = static_cast<float>(picture.colors.size());
     const auto edge = [&](std::size_t pixel) {
         return std::round(min.x + (max.x - min.x) * static_cast<float>(pixel) / count);
     };
+    // To the sheet as a picture one pixel high.
+    if (list.drawing)
+        list.drawing->cells(min, max, picture.colors, static_cast<std::uint32_t>(picture.colors.size()),
+                            1.0f);
     for (std::size_t i = 0; i < picture.colors.size(); ++i)
-        list.AddRectFilled({edge(i), min.y}, {edge(i + 1), max.y}, picture.colors[i]);
+        list.screen.AddRectFilled({edge(i), min.y}, {edge(i + 1), max.y}, picture.colors[i]);
     if (!ui.state.eyePixel || *ui.state.eyePixel >= picture.colors.size()) return;
     list.AddRect({edge(*ui.state.eyePixel) - 2 * ui.scale, min.y},
                  {edge(*ui.state.eyePixel + 1) + 2 * ui.scale, max.y}, ui.palette.accent, 0.0f,
@@ -80,13 +85,14 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) 
         max{origin.x + size.x, origin.y + size.y};
     const std::optional<std::uint32_t> pixel = pointed(picture, min, max);
 
+    const std::string what = drawingTitle(ui.state, "eye");
     const std::string words = row.maker.empty()
-                                  ? kTitle
-                                  : firstThatFits({fmt::format("{}: {}", kTitle, row.maker), row.maker,
+                                  ? what
+                                  : firstThatFits({fmt::format("{}: {}", what, row.maker), row.maker,
                                                    row.difference.empty() ? row.maker : row.difference},
                                                   width);
     const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, words);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     if (picture) {
         const std::string white = picture->white > 0.0
                                       ? fmt::format("white: \u2265 {} W/(m rad)", shown(picture->white))
@@ -112,6 +118,7 @@ float eyeStripHeight(const Ui& ui) {
 
 void eyeStrip(const Ui& ui, float width) {
     std::optional<std::uint32_t> pixel;
+    const OnSheet drawing(ui, "eye", {width, eyeStripHeight(ui)});
     for (const Row& row : rowsOf(ui.state))
         if (const auto under = drawRow(ui, row, width)) pixel = under;
     // It lights up on the canvas.

@@ -1,8 +1,10 @@
 // Which typefaces, sizes and characters does the screen show?
 #include "app/fonts.h"
 
+#include <ft2build.h>
 #include <imgui.h>
 #include <imgui_freetype.h>
+#include FT_FREETYPE_H
 
 #include <array>
 #include <cmath>
@@ -45,6 +47,26 @@ std::string readFont(const std::string& path) {
     return known ? bytes : std::string();
 }
 
+/// What the file says of itself, for a font whose lines are `size` pixels high.
+TypeFace faceOfFile(const std::string& bytes, float size) {
+    TypeFace face;
+    face.em = size;
+    FT_Library library = nullptr;
+    FT_Face opened = nullptr;
+    if (FT_Init_FreeType(&library) != 0) return face;
+    if (FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes.data()),
+                           static_cast<FT_Long>(bytes.size()), 0, &opened) == 0) {
+        const int line = opened->ascender - opened->descender;
+        if (opened->family_name) face.family = opened->family_name;
+        face.bold = (opened->style_flags & FT_STYLE_FLAG_BOLD) != 0;
+        face.italic = (opened->style_flags & FT_STYLE_FLAG_ITALIC) != 0;
+        if (line > 0) face.em = size * static_cast<float>(opened->units_per_EM) / static_cast<float>(line);
+        FT_Done_Face(opened);
+    }
+    FT_Done_FreeType(library);
+    return face;
+}
+
 struct Source {
     const std::string& path;
     const ImWchar* ranges;
@@ -52,7 +74,8 @@ struct Source {
 
 /// One font made of several files: a character comes from the first file that has it. Null if no file is
 /// usable.
-ImFont* addFont(ImFontAtlas& atlas, float size, std::initializer_list<Source> sources, std::string& problem) {
+ImFont* addFont(ImFontAtlas& atlas, float size, std::initializer_list<Source> sources, Fonts& fonts) {
+    std::string& problem = fonts.problem;
     ImFont* font = nullptr;
     for (const Source& source : sources) {
         const std::string bytes = readFont(source.path);
@@ -67,7 +90,10 @@ ImFont* addFont(ImFontAtlas& atlas, float size, std::initializer_list<Source> so
         config.MergeMode = font != nullptr;
         ImFont* added =
             atlas.AddFontFromMemoryTTF(copy, static_cast<int>(bytes.size()), size, &config, source.ranges);
-        if (!font) font = added;
+        if (font) continue;
+        font = added;
+        fonts.faces.push_back(faceOfFile(bytes, size));
+        fonts.faces.back().font = font;
     }
     return font;
 }
@@ -82,17 +108,16 @@ Fonts addFonts(ImFontAtlas& atlas, float scale, const FontFiles& files) {
     const auto size = [scale](float pixels) { return std::round(pixels * scale); };
     const Source symbols{files.symbols, kSymbolRanges};
     Fonts fonts;
-    std::string& problem = fonts.problem;
-    fonts.prose = addFont(atlas, size(kProsePixels), {{files.prose, kTextRanges}, symbols}, problem);
+    fonts.prose = addFont(atlas, size(kProsePixels), {{files.prose, kTextRanges}, symbols}, fonts);
     if (!fonts.prose) {
         fonts.prose = addDefaultFont(atlas, size(kProsePixels));
-        problem = "no usable font file; the built-in font is shown";
+        fonts.problem = "no usable font file; the built-in font is shown";
     }
-    fonts.strong = addFont(atlas, size(kProsePixels), {{files.strong, kTextRanges}, symbols}, problem);
-    fonts.emphasis = addFont(atlas, size(kProsePixels), {{files.emphasis, kTextRanges}, symbols}, problem);
-    fonts.code = addFont(atlas, size(kCodePixels), {{files.code, kSymbolRanges}, symbols}, problem);
-    fonts.title = addFont(atlas, size(kTitlePixels), {{files.strong, kTextRanges}, symbols}, problem);
-    fonts.formula = addFont(atlas, size(kFormulaPixels), {{files.formula, kSymbolRanges}, symbols}, problem);
+    fonts.strong = addFont(atlas, size(kProsePixels), {{files.strong, kTextRanges}, symbols}, fonts);
+    fonts.emphasis = addFont(atlas, size(kProsePixels), {{files.emphasis, kTextRanges}, symbols}, fonts);
+    fonts.code = addFont(atlas, size(kCodePixels), {{files.code, kSymbolRanges}, symbols}, fonts);
+    fonts.title = addFont(atlas, size(kTitlePixels), {{files.strong, kTextRanges}, symbols}, fonts);
+    fonts.formula = addFont(atlas, size(kFormulaPixels), {{files.formula, kSymbolRanges}, symbols}, fonts);
     for (ImFont** font : {&fonts.strong, &fonts.emphasis, &fonts.code, &fonts.title, &fonts.formula})
         if (!*font) *font = fonts.prose;
     return fonts;
@@ -110,11 +135,20 @@ Fonts loadFonts(ImFontAtlas& atlas, float uiScale, const FontFiles& files) {
     atlas.FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
     atlas.FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
     Fonts fonts = addFonts(atlas, uiScale, files);
-    if (atlas.Build()) return fonts;
+    if (atlas.Build()) {
+        for (TypeFace& face : fonts.faces) face.ascent = std::round(face.font->Ascent);
+        return fonts;
+    }
     atlas.Clear();
     ImFont* only = addDefaultFont(atlas, std::round(kProsePixels * uiScale));
     atlas.Build();
-    return {only, only, only, only, only, only, "a font file is broken; the built-in font is shown"};
+    return {only, only, only, only, only, only, "a font file is broken; the built-in font is shown", {}};
+}
+
+TypeFace faceOf(const Fonts& fonts, const ImFont* font) {
+    for (const TypeFace& face : fonts.faces)
+        if (face.font == font) return face;
+    return {font, "", false, false, font->FontSize, std::round(font->Ascent)};
 }
 
 }  // namespace halfdisk

@@ -181,7 +181,7 @@ void askLight(Session& session) {
                        state.show & kPictureSet, state.makers, state.run});
 }
 
-void frame(Session& session, const Fonts& fonts, float uiScale) {
+void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {
     AppState& state = session.state;
     session.widgets.beginFrame();
     speak(findLanguage(session.languages, state.language));
@@ -191,10 +191,14 @@ void frame(Session& session, const Fonts& fonts, float uiScale) {
     advance(state);
 
     Commands commands;
-    const Ui ui{state,           fonts,    session.palette,   session.listings,
-                session.widgets, commands, session.languages, uiScale};
+    const Ui ui{
+        state,   fonts, session.palette, session.listings, session.widgets, commands, session.languages,
+        uiScale, sheet};
     columns(ui);
-    if (!state.banner.empty()) bannerBar(ui);
+    if (!state.banner.empty())
+        bannerBar(ui);
+    else if (state.exportWished || !state.notice.empty())
+        noticeBar(ui);
     if (state.helpShown) helpOverlay(ui);
     keyboard(ui);
 

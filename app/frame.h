@@ -13,6 +13,8 @@
 
 namespace halfdisk {
 
+struct Sheet;
+
 /// Everything that a panel may read, and where it puts its commands.
 struct Ui {
     const AppState& state;
@@ -22,7 +24,8 @@ struct Ui {
     WidgetRegistry& widgets;
     Commands& commands;
     const std::vector<Language>& languages;
-    float scale;  ///< pixels per design pixel
+    float scale;             ///< pixels per design pixel
+    Sheet* sheet = nullptr;  ///< where canvas and plots are recorded; null: nowhere
 };
 
 /// The running program.
@@ -37,7 +40,8 @@ struct Session {
 };
 
 /// Between ImGui's NewFrame and Render. Never waits and never reads the clock: time is ImGui's DeltaTime.
-void frame(Session& session, const Fonts& fonts, float uiScale);
+/// `sheet`, if not null, gets what canvas and plots draw.
+void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet = nullptr);
 
 /// Asks the light for the state's question if that changed.
 void askLight(Session& session);

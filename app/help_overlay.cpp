@@ -1,9 +1,12 @@
 // Which keys are there, and what went wrong? The help over everything, and the bar for messages.
+#include <fmt/format.h>
+
 #include <array>
 #include <string_view>
 
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
+#include "app/light_progress.h"
 #include "app/panels.h"
 
 namespace halfdisk {
@@ -40,6 +43,7 @@ constexpr std::array kKeys{
     KeyHelp{"Ctrl D  Delete", "copy / delete what is selected"},
     KeyHelp{"Ctrl S", "save the scene"},
     KeyHelp{"Ctrl C  Ctrl V", "copy all that is seen as a text / see what such a text says"},
+    KeyHelp{"Ctrl E", "export what is seen: pictures, tables, the run, its words"},
     KeyHelp{"V  Shift V", "what the eye sees / the field of light on / off"},
     KeyHelp{"Ctrl +  Ctrl -", "everything larger / smaller"},
     KeyHelp{"? or F1", "this help"},
@@ -83,23 +87,44 @@ void helpOverlay(const Ui& ui) {
     ImGui::End();
 }
 
-void bannerBar(const Ui& ui) {
+namespace {
+
+/// A bar at the lower edge. True when its button is pressed.
+bool messageBar(const Ui& ui, ImU32 ground, std::string_view words, const char* label) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({0.0f, screen.y}, ImGuiCond_Always, {0.0f, 1.0f});
     ImGui::SetNextWindowSizeConstraints({screen.x, 0.0f}, {screen.x, 0.4f * screen.y});
-    ImGui::PushStyleColor(ImGuiCol_WindowBg, ui.palette.error);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.panel);
-    ImGui::SetNextWindowFocus();
+    // Over the help. Else it must not take the focus: what is pressed elsewhere would be let go.
+    if (ui.state.helpShown) ImGui::SetNextWindowFocus();
     ImGui::Begin("Message", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
-                     ImGuiWindowFlags_NoSavedSettings);
-    textWrapped(ui.widgets, ui.state.banner);
+                     ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing);
+    textWrapped(ui.widgets, words);
     ImGui::PopStyleColor();
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.ink);
-    if (button(ui.widgets, "Dismiss")) ui.commands.push_back(DismissBanner{});
-    ImGui::PopStyleColor();
+    ImGui::PushStyleColor(ImGuiCol_Button, ui.palette.panel);
+    const bool pressed = button(ui.widgets, label);
+    ImGui::PopStyleColor(2);
     ImGui::End();
     ImGui::PopStyleColor();
+    return pressed;
+}
+
+}  // namespace
+
+void bannerBar(const Ui& ui) {
+    if (messageBar(ui, ui.palette.error, ui.state.banner, "Dismiss")) ui.commands.push_back(DismissBanner{});
+}
+
+void noticeBar(const Ui& ui) {
+    const bool waiting = ui.state.exportWished;
+    const std::string words = waiting
+                                  ? fmt::format("The export waits for the light. {}", lightProgress(ui.state))
+                                  : ui.state.notice;
+    if (messageBar(ui, ui.palette.accent, words, waiting ? "Cancel" : "Dismiss"))
+        ui.commands.push_back(DismissNotice{});
 }
 
 }  // namespace halfdisk

@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <cfloat>
 #include <variant>
 
 #include "app/imgui_compat.h"
@@ -114,6 +115,21 @@ class CtrlHeld {
  private:
     ImGuiIO& io;
     bool before;
+};
+
+/// While it lives, within one frame, the pointer is over nothing.
+class PointerAway {
+ public:
+    explicit PointerAway(ImGuiIO& inputs) : io(inputs), before(inputs.MousePos) {
+        io.MousePos = {-FLT_MAX, -FLT_MAX};
+    }
+    ~PointerAway() { io.MousePos = before; }
+    PointerAway(const PointerAway&) = delete;
+    PointerAway& operator=(const PointerAway&) = delete;
+
+ private:
+    ImGuiIO& io;
+    ImVec2 before;
 };
 
 }  // namespace halfdisk

@@ -116,6 +116,7 @@ void editKeys(const Ui& ui) {
 /// With Ctrl held.
 void shareKeys(const Ui& ui) {
     if (keyPressed(Key::c, false)) ImGui::SetClipboardText(shareText(ui.state).c_str());
+    if (keyPressed(Key::e, false)) ui.commands.push_back(ExportSeen{});
     if (!keyPressed(Key::v, false)) return;
     const char* text = ImGui::GetClipboardText();
     if (text != nullptr && isShareText(text)) ui.commands.push_back(OpenShared{text});
@@ -157,6 +158,7 @@ void viewKeys(const Ui& ui) {
     if (keyPressed(Key::escape, false)) {
         if (ui.state.helpShown) ui.commands.push_back(ToggleHelp{});
         if (!ui.state.banner.empty()) ui.commands.push_back(DismissBanner{});
+        if (ui.state.exportWished || !ui.state.notice.empty()) ui.commands.push_back(DismissNotice{});
     }
 }
 

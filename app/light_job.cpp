@@ -45,6 +45,11 @@ void LightJob::waitUntilIdle() const {
     changed_.wait(lock, [this] { return !waiting_ && !working_; });
 }
 
+bool LightJob::waitUntilIdle(std::chrono::milliseconds most) const {
+    std::unique_lock lock(mutex_);
+    return changed_.wait_for(lock, most, [this] { return !waiting_ && !working_; });
+}
+
 void LightJob::publish(const LightAnswer& answer) {
     auto copy = std::make_shared<const LightAnswer>(answer);
     const std::lock_guard lock(mutex_);

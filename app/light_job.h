@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -29,6 +30,8 @@ class LightJob {
     bool idle() const;
     /// For hosts that need a finished picture.
     void waitUntilIdle() const;
+    /// So long at most; whether it is idle then.
+    bool waitUntilIdle(std::chrono::milliseconds most) const;
 
  private:
     void run();

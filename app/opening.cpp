@@ -216,6 +216,17 @@ AppState openDescribed(const std::filesystem::path& lessonsFolder, const SceneDe
     return state;
 }
 
+AppState openRequested(const OpeningRequest& request) {
+    AppState state = [&] {
+        if (request.shared) return openShared(request.lessonsFolder, *request.shared);
+        if (request.scene && !request.lesson) return openScene(request.lessonsFolder, *request.scene);
+        return openLesson(request.lessonsFolder, request.lesson,
+                          request.scene.value_or(std::filesystem::path()));
+    }();
+    setLanguage(state, request.language);
+    return state;
+}
+
 void setRules(AppState& state, const ClassRules& rules, bool asTheStepBegins) {
     state.rules = rules;
     if (state.lesson && asTheStepBegins) return enterStep(state, state.step);

@@ -5,9 +5,13 @@
 // throw.
 #pragma once
 
+#include "app/cli_actions.h"
 #include "app/commands.h"
 
 namespace halfdisk {
+
+/// What the command line asks for. Throws InputError.
+AppState openRequested(const OpeningRequest& request);
 
 /// The light is to be computed again, and the recorded run starts at its beginning.
 void askAnew(AppState& state);

@@ -23,6 +23,8 @@ void errorPlot(const Ui& ui, ImVec2 size);
 void histogramPlot(const Ui& ui, ImVec2 size);
 void helpOverlay(const Ui& ui);
 void bannerBar(const Ui& ui);
+/// How far what was asked for is, or that it is done.
+void noticeBar(const Ui& ui);
 
 /// Keys that work wherever the pointer is, unless a text field has the keyboard.
 void keyboard(const Ui& ui);

@@ -99,6 +99,16 @@ Maker usualMaker(View view) {
     return makerOf(view == View::field ? "light" : "path");
 }
 
+double shareDone(const LightPicture& picture) {
+    if (picture.complete) return 1.0;
+    const auto of = [](std::uint64_t done, std::uint64_t all) {
+        return static_cast<double>(done) / static_cast<double>(all);
+    };
+    const std::uint64_t passes = picture.film.passes, rays = picture.film.counts.rays;
+    return std::min(
+        0.99, std::max(of(rays, kMostRays), of(passes, rays > 0 ? kMostPasses : kMostPassesWithoutRays)));
+}
+
 PictureWork::PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sensor, Maker maker,
                          const Settings& settings, const std::atomic<bool>& cancelled)
     : scene_(std::move(scene)),

@@ -18,6 +18,9 @@ inline constexpr std::array kPictureViews{View::profile, View::eye, View::field}
 /// What makes this picture if nothing is said.
 Maker usualMaker(View view);
 
+/// How much of a picture's work is done, 0 ... 1.
+double shareDone(const LightPicture& picture);
+
 /// A picture on its way. It is kept while only P (but for the profile's wall) and N change.
 class PictureWork {
  public:

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "app/draw_text.h"
-#include "app/imgui_compat.h"
+#include "app/pen.h"
 
 namespace halfdisk {
 namespace {
@@ -79,13 +79,13 @@ bool Plot::hovered() const {
     return ImGui::IsWindowHovered() && area.contains(ImGui::GetIO().MousePos);
 }
 
-Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, const PlotAxis& x,
+Plot beginPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 size, const PlotAxis& x,
                const PlotAxis& y) {
     const Palette& palette = ui.palette;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImGui::Dummy(size);
     mark(ui.widgets, name, origin, {origin.x + size.x, origin.y + size.y});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     const float line = ImGui::GetFontSize(), gap = 4 * ui.scale;
 
     Plot plot;
@@ -124,9 +124,10 @@ Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, c
     return plot;
 }
 
-void plotLine(const Plot& plot, const std::vector<ImVec2>& points, ImU32 color, float thickness) {
+void plotLine(const Ui& ui, const Plot& plot, const std::vector<ImVec2>& points, ImU32 color,
+              float thickness) {
     if (points.size() < 2) return;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     list.PushClipRect(plot.area.min, plot.area.max, true);
     addPolyline(list, points, color, false, thickness);
     list.PopClipRect();
@@ -138,7 +139,7 @@ void plotKey(const Ui& ui, const Plot& plot, int row, ImU32 color, const char* n
     const ImVec2 size = textSize(words);
     const ImVec2 at{plot.area.max.x - size.x - 2 * gap,
                     plot.area.min.y + gap + static_cast<float>(row) * line};
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     list.AddRectFilled({at.x - stroke - 2 * gap, at.y}, {at.x + size.x + gap, at.y + line},
                        withOpacity(ui.palette.panel, 0.85f));
     list.AddLine({at.x - stroke - gap, at.y + line / 2}, {at.x - gap, at.y + line / 2}, color, 3 * ui.scale);

@@ -34,11 +34,12 @@ struct Plot {
 };
 
 /// Reserves `size` in the current window and draws everything but the curves.
-Plot beginPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, const PlotAxis& x,
+Plot beginPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 size, const PlotAxis& x,
                const PlotAxis& y);
 
 /// A line of `points` (pixels) clipped to the plot.
-void plotLine(const Plot& plot, const std::vector<ImVec2>& points, ImU32 color, float thickness);
+void plotLine(const Ui& ui, const Plot& plot, const std::vector<ImVec2>& points, ImU32 color,
+              float thickness);
 
 /// One entry of a key in the plot's upper right corner: a stroke in the colour and its name. `row` counts
 /// from 0.

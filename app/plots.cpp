@@ -6,8 +6,11 @@
 
 #include "app/draw_text.h"
 #include "app/drawn_curve.h"
+#include "app/histogram.h"
 #include "app/panels.h"
+#include "app/pen.h"
 #include "app/plot.h"
+#include "app/plot_words.h"
 
 namespace halfdisk {
 namespace {
@@ -19,7 +22,7 @@ double fromNormal(double theta) {
     return 90.0 - theta * kDegrees;
 }
 
-void emptyPlot(const Ui& ui, const char* name, const char* title, ImVec2 size, const char* why) {
+void emptyPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 size, const char* why) {
     const Plot plot = beginPlot(ui, name, title, size, {}, {});
     drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, (plot.area.min.y + plot.area.max.y) / 2},
              ui.palette.inkSoft, why, Align::middle);
@@ -46,15 +49,16 @@ void forPassedEvents(const AppState& state, EventKind kind, const Function& f) {
 }  // namespace
 
 void integrandPlot(const Ui& ui, ImVec2 size) {
-    constexpr const char* kTitle = "Light arriving at P";
+    const OnSheet drawing(ui, "integrand", size);
+    const std::string title = drawingTitle(ui.state, "integrand");
     const AppState& state = ui.state;
     if (!state.answer || state.answer->integrand.empty())
-        return emptyPlot(ui, "integrand", kTitle, size, whyNotExact(state));
+        return emptyPlot(ui, "integrand", title, size, whyNotExact(state));
     const LightAnswer& answer = *state.answer;
     double top = 0.0;
     for (const IntegrandPoint& p : answer.integrand) top = std::max(top, gray(p.radiance));
     if (top <= 0.0) top = 1.0;
-    const Plot plot = beginPlot(ui, "integrand", kTitle, size,
+    const Plot plot = beginPlot(ui, "integrand", title, size,
                                 {-90.0, 90.0, false, "\u03b8 from the normal (degrees)", 30.0},
                                 {0.0, 1.5 * top, false, "W/(m rad)", 0.0});
 
@@ -65,15 +69,10 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
         radiance.push_back(plot.at(fromNormal(p.theta), L));
         weighted.push_back(plot.at(fromNormal(p.theta), L * std::sin(p.theta)));
     }
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const ImDrawListFlags smooth = list.Flags;
-    list.Flags &= ~ImDrawListFlags_AntiAliasedFill;  // else every slice gets soft edges, and the area stripes
-    for (std::size_t i = 1; i < weighted.size(); ++i)
-        list.AddQuadFilled(weighted[i - 1], weighted[i], {weighted[i].x, plot.area.max.y},
-                           {weighted[i - 1].x, plot.area.max.y}, withOpacity(ui.palette.light, 0.35f));
-    list.Flags = smooth;
-    plotLine(plot, radiance, ui.palette.exact, 2 * ui.scale);
-    plotLine(plot, weighted, ui.palette.point, 2 * ui.scale);
+    const Pen list = penOf(ui);
+    list.areaBelow(weighted, plot.area.max.y, withOpacity(ui.palette.light, 0.35f));
+    plotLine(ui, plot, radiance, ui.palette.exact, 2 * ui.scale);
+    plotLine(ui, plot, weighted, ui.palette.point, 2 * ui.scale);
     if (state.shows(View::rays))
         forPassedEvents(state, EventKind::sample, [&](const Event& event) {
             const float x = plot.at(fromNormal(event.theta), 0.0).x;
@@ -93,10 +92,11 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
 }
 
 void errorPlot(const Ui& ui, ImVec2 size) {
-    constexpr const char* kTitle = "Error against N";
+    const OnSheet drawing(ui, "error", size);
+    const std::string title = drawingTitle(ui.state, "error");
     const AppState& state = ui.state;
     if (!state.answer || state.answer->errors.size() < 2)
-        return emptyPlot(ui, "error", kTitle, size,
+        return emptyPlot(ui, "error", title, size,
                          !state.answer || !state.answer->pointComplete ? "being measured" : "no exact value");
     const LightAnswer& answer = *state.answer;
     double low = 1e300, high = 0.0;
@@ -105,13 +105,13 @@ void errorPlot(const Ui& ui, ImVec2 size) {
         low = std::min(low, p.rms);
         high = std::max(high, p.rms);
     }
-    if (high <= 0.0) return emptyPlot(ui, "error", kTitle, size, "no error: every sample brings the same");
+    if (high <= 0.0) return emptyPlot(ui, "error", title, size, "no error: every sample brings the same");
     const double mostN = answer.errors.back().samples;
     const Plot plot =
-        beginPlot(ui, "error", kTitle, size, {0.8, 1.25 * mostN, true, "N, samples per bounce", 0.0},
+        beginPlot(ui, "error", title, size, {0.8, 1.25 * mostN, true, "N, samples per bounce", 0.0},
                   {std::pow(10.0, std::floor(std::log10(low * 0.7))),
                    std::pow(10.0, std::ceil(std::log10(high * 1.2))), true, "rms error of E, W/m", 0.0});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     // Independent samples lie along it: in the middle of the dots, for the first ones may have met no lamp at
     // all. Stratified ones fall below the line on which they begin.
     std::vector<double> ofOnes;
@@ -119,7 +119,7 @@ void errorPlot(const Ui& ui, ImVec2 size) {
     std::sort(ofOnes.begin(), ofOnes.end());
     const bool independent = answer.asked.settings.sampler != Sampler::stratified;
     const double ofOne = independent ? ofOnes[ofOnes.size() / 2] : ofOnes.back();
-    plotLine(plot, {plot.at(1.0, ofOne), plot.at(1.25 * mostN, ofOne / std::sqrt(1.25 * mostN))},
+    plotLine(ui, plot, {plot.at(1.0, ofOne), plot.at(1.25 * mostN, ofOne / std::sqrt(1.25 * mostN))},
              ui.palette.inkSoft, 1.5f * ui.scale);
     list.PushClipRect(plot.area.min, plot.area.max, true);
     for (const ErrorPoint& p : answer.errors) {
@@ -150,38 +150,23 @@ void errorPlot(const Ui& ui, ImVec2 size) {
 }
 
 void histogramPlot(const Ui& ui, ImVec2 size) {
-    constexpr const char* kTitle = "What single samples bring";
+    const OnSheet drawing(ui, "histogram", size);
+    const std::string title = drawingTitle(ui.state, "histogram");
     const AppState& state = ui.state;
     if (!state.answer || state.answer->histogramOf.empty())
-        return emptyPlot(ui, "histogram", kTitle, size,
+        return emptyPlot(ui, "histogram", title, size,
                          state.answer && state.answer->tooManyRays ? "too many rays" : "being computed");
-    const std::vector<double>& values = state.answer->histogramOf;
-    double low = 0.0, high = 0.0;
-    for (const double value : values) {
-        if (!std::isfinite(value)) continue;
-        low = std::min(low, value);
-        high = std::max(high, value);
-    }
-    if (high <= low) high = low + 1.0;
-    constexpr std::size_t kBins = 32;
-    std::array<double, kBins> counts{};
-    double counted = 0.0;
-    for (const double value : values) {
-        if (!std::isfinite(value)) continue;
-        const auto bin = static_cast<std::size_t>((value - low) / (high - low) * kBins * 0.999999);
-        ++counts[bin];
-        ++counted;
-    }
-    const double tallest = *std::max_element(counts.begin(), counts.end()) / counted;
+    const Histogram histogram = histogramOf(state.answer->histogramOf);
+    const double low = histogram.low, high = histogram.high, counted = histogram.counted;
+    const double tallest = *std::max_element(histogram.counts.begin(), histogram.counts.end()) / counted;
     const Plot plot =
-        beginPlot(ui, "histogram", kTitle, size, {low, high, false, "contribution to E, W/m", 0.0},
+        beginPlot(ui, "histogram", title, size, {low, high, false, "contribution to E, W/m", 0.0},
                   {0.0, std::min(1.0, 1.15 * tallest) * 100.0, false, "% of samples", 0.0});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    const double width = (high - low) / kBins;
-    for (std::size_t i = 0; i < kBins; ++i) {
-        const ImVec2 a = plot.at(low + width * static_cast<double>(i), 0.0);
-        const ImVec2 b = plot.at(low + width * static_cast<double>(i + 1), 100.0 * counts[i] / counted);
-        if (counts[i] > 0)
+    const Pen list = penOf(ui);
+    for (std::size_t i = 0; i < Histogram::kBins; ++i) {
+        const ImVec2 a = plot.at(histogram.edge(i), 0.0);
+        const ImVec2 b = plot.at(histogram.edge(i + 1), 100.0 * histogram.counts[i] / counted);
+        if (histogram.counts[i] > 0)
             list.AddRectFilled({a.x, b.y}, {b.x - ui.scale, a.y}, withOpacity(ui.palette.halfDisk, 0.9f));
     }
     forPassedEvents(state, EventKind::accumulate, [&](const Event& event) {
@@ -189,9 +174,7 @@ void histogramPlot(const Ui& ui, ImVec2 size) {
         list.AddLine({x, plot.area.max.y}, {x, plot.area.max.y - 8 * ui.scale}, ui.palette.sample,
                      2 * ui.scale);
     });
-    double mean = 0.0;
-    for (const double value : values) mean += std::isfinite(value) ? value / counted : 0.0;
-    const float x = plot.at(mean, 0.0).x;
+    const float x = plot.at(histogram.mean, 0.0).x;
     list.AddLine({x, plot.area.min.y}, {x, plot.area.max.y}, ui.palette.estimate, 2 * ui.scale);
     plotKey(ui, plot, 0, ui.palette.estimate, "their mean");
     plotKey(ui, plot, 1, ui.palette.sample, "this run");

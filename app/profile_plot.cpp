@@ -6,8 +6,10 @@
 
 #include "app/draw_text.h"
 #include "app/panels.h"
-#include "app/picture_stages.h"
+#include "app/pen.h"
 #include "app/plot.h"
+#include "app/plot_words.h"
+#include "app/shown_pictures.h"
 
 namespace halfdisk {
 namespace {
@@ -21,16 +23,8 @@ struct Curve {
 /// Those that have something to show.
 std::vector<Curve> curvesOf(const Ui& ui) {
     std::vector<Curve> curves;
-    if (!ui.state.answer) return curves;
-    const LightAnswer& answer = *ui.state.answer;
-    const Maker first = answer.asked.makers.first.value_or(usualMaker(View::profile));
-    const Maker* second = answer.asked.makers.second ? &*answer.asked.makers.second : nullptr;
-    const auto add = [&](const auto& picture, const Maker& maker, const Maker* other, ImU32 color) {
-        if (picture && picture->film.passes > 0)
-            curves.push_back({picture.get(), titleOf(maker, other), color});
-    };
-    add(answer.pictures.profile, first, second, ui.palette.estimate);
-    if (second) add(answer.against.profile, *second, &first, ui.palette.exact);
+    for (const ShownPicture& shown : shownPictures(ui.state, View::profile))
+        curves.push_back({shown.picture, shown.maker, shown.second ? ui.palette.exact : ui.palette.estimate});
     return curves;
 }
 
@@ -55,11 +49,12 @@ double topOf(const std::vector<Curve>& curves) {
 }
 
 /// One step a bin, with a band of one standard error on both sides.
-void drawCurve(const Plot& plot, const Curve& curve, double length, float scale) {
+void drawCurve(const Ui& ui, const Plot& plot, const Curve& curve, double length) {
+    const float scale = ui.scale;
     const PixelStatistics& bins = curve.picture->film.pixels;
     const double width = length / static_cast<double>(bins.size());
     std::vector<ImVec2> steps;
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Pen list = penOf(ui);
     list.PushClipRect(plot.area.min, plot.area.max, true);
     for (std::size_t i = 0; i < bins.size(); ++i) {
         const Statistics bin = bins[i];
@@ -75,35 +70,34 @@ void drawCurve(const Plot& plot, const Curve& curve, double length, float scale)
         list.AddTriangleFilled({x, y}, {x + half, y + 2 * half}, {x - half, y + 2 * half}, curve.color);
     }
     list.PopClipRect();
-    plotLine(plot, steps, curve.color, 2 * scale);
+    plotLine(ui, plot, steps, curve.color, 2 * scale);
 }
 
 }  // namespace
 
 void profilePlot(const Ui& ui, ImVec2 size) {
+    const OnSheet drawing(ui, "profile", size);
     const AppState& state = ui.state;
-    const std::string title =
-        fmt::format("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
+    const std::string title = drawingTitle(state, "profile");
     const std::vector<Curve> curves = curvesOf(ui);
     const double length = state.scene->index.length(state.at.segment);
     const PlotAxis along{0.0, length, false, "place on the wall, m", 0.0};
     if (curves.empty()) {
-        const Plot plot = beginPlot(ui, "profile", title.c_str(), size, along, {});
+        const Plot plot = beginPlot(ui, "profile", title, size, along, {});
         drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, (plot.area.min.y + plot.area.max.y) / 2},
                  ui.palette.inkSoft, whyEmpty(state), Align::middle);
         return;
     }
-    const Plot plot = beginPlot(ui, "profile", title.c_str(), size, along,
-                                {0.0, topOf(curves), false, "irradiance E, W/m", 0.0});
-    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const Plot plot =
+        beginPlot(ui, "profile", title, size, along, {0.0, topOf(curves), false, "irradiance E, W/m", 0.0});
+    const Pen list = penOf(ui);
     const float at = plot.at(state.at.t * length, 0.0).x;
     list.AddLine({at, plot.area.min.y}, {at, plot.area.max.y}, withOpacity(ui.palette.point, 0.5f),
                  1.5f * ui.scale);
     drawText(ui, {at + 3 * ui.scale, plot.area.max.y - ImGui::GetFontSize() - 2 * ui.scale},
              ui.palette.estimate, "P");
     int row = 0;
-    for (auto curve = curves.rbegin(); curve != curves.rend(); ++curve)
-        drawCurve(plot, *curve, length, ui.scale);
+    for (auto curve = curves.rbegin(); curve != curves.rend(); ++curve) drawCurve(ui, plot, *curve, length);
     for (const Curve& curve : curves) plotKey(ui, plot, row++, curve.color, curve.title.c_str());
     if (!plot.hovered()) return;
     const double place = plot.xAt(ImGui::GetIO().MousePos.x);

@@ -2,19 +2,50 @@
 // complete.
 #include <fmt/format.h>
 
+#include <chrono>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "app/cli_actions.h"
-#include "app/commands.h"
-#include "app/frame.h"
+#include "app/cli_output.h"
+#include "app/export_files.h"
 #include "app/headless_host.h"
+#include "app/light_progress.h"
 #include "app/opening.h"
 #include "app/picture.h"
-#include "app/png_image.h"
+#include "app/progress_bar.h"
+#include "app/render_output.h"
+#include "lessons/utf8.h"
 
 namespace halfdisk {
+
+namespace {
+
+/// Bad input if it cannot be made, or if nothing can be written there.
+void makeFolder(const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed || !std::filesystem::is_directory(folder, failed))
+        throw InputError(fmt::format("--output: '{}' is no folder that can be made{}{}, expected a folder",
+                                     excerpt(folder.string()), failed ? ": " : "",
+                                     failed ? failed.message() : ""));
+    refuseOutputs({folder / "screen.png"});
+}
+
+/// Tells on a terminal how far it is.
+void waitForLight(Session& session) {
+    ProgressBar bar;
+    constexpr std::chrono::milliseconds kLook{100};
+    const auto start = std::chrono::steady_clock::now();
+    while (!session.light.waitUntilIdle(kLook)) {
+        session.state.answer = session.light.latest();
+        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        if (bar.isShown()) bar.tell(lightShare(session.state), elapsed.count(), lightProgress(session.state));
+    }
+}
+
+}  // namespace
 
 Image pictureOf(AppState state, HeadlessHost& host) {
     Session session;
@@ -30,13 +61,34 @@ Image pictureOf(AppState state, HeadlessHost& host) {
 }
 
 int runScreenshot(const ScreenshotRequest& request) {
-    AppState state =
-        openLesson(request.lessonsFolder, request.lesson, request.scene.value_or(std::filesystem::path()));
-    setLanguage(state, request.language);
+    AppState state = openRequested(request.opening);
     const auto scale = static_cast<float>(request.scale);
     state.uiScale = scale;
     HeadlessHost host(request.size.width, request.size.height, scale);
     writePng(request.output, pictureOf(std::move(state), host));
+    return kExitSuccess;
+}
+
+int runExport(const ExportRequest& request) {
+    AppState state = openRequested(request.opening);
+    makeFolder(request.outputFolder);
+    Session session;
+    session.state = std::move(state);
+    const auto scale = static_cast<float>(request.scale);
+    session.state.uiScale = scale;
+    HeadlessHost host(request.size.width, request.size.height, scale);
+    askLight(session);
+    waitForLight(session);
+    const FrameMaker maker{[&](const FrameMaker::Draw& draw) { host.frameWithoutDrawing(draw); },
+                           [&](const FrameMaker::Draw& draw) { host.frame(draw); },
+                           [&] { return host.readPixels(); }, [&]() -> const Fonts& { return host.fonts(); },
+                           [&] { return host.uiScale(); }};
+    const Seen seen = seenBy(session, maker);
+    const std::vector<ExportFile> files = exportFiles(session.state, seen);
+    writeExport(request.outputFolder, files);
+    std::string names;
+    for (const ExportFile& file : files) names += (request.outputFolder / file.name).string() + '\n';
+    writeOutput(names);
     return kExitSuccess;
 }
 

@@ -2,33 +2,22 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <utility>
+#include <system_error>
 
 #include "app/autosave.h"
 #include "app/cli_actions.h"
 #include "app/commands.h"
+#include "app/export_files.h"
 #include "app/file_watch.h"
 #include "app/frame.h"
 #include "app/opening.h"
-#include "app/share_text.h"
 #include "app/window_host.h"
 
 namespace halfdisk {
-namespace {
-
-AppState openRequested(const WindowRequest& request) {
-    if (request.shared) return openShared(request.lessonsFolder, *request.shared);
-    if (request.scene && !request.lesson) return openScene(request.lessonsFolder, *request.scene);
-    return openLesson(request.lessonsFolder, request.lesson, request.scene.value_or(std::filesystem::path()));
-}
-
-}  // namespace
-
 int runWindow(const WindowRequest& request) {
     Session session;
-    session.state = openRequested(request);
-    setLanguage(session.state, request.language);
-    setRules(session.state, request.rules, !request.shared);
+    session.state = openRequested(request.opening);
+    setRules(session.state, request.rules, !request.opening.shared);
 
     WindowOptions options;
     options.onDrop = [&](const std::vector<std::filesystem::path>& files) {
@@ -52,7 +41,7 @@ int runWindow(const WindowRequest& request) {
     FileWatch watch;
     constexpr int kFramesBetweenLooks = 20;
     int sinceLook = 0;
-    host->run([&] {
+    const auto show = [&] {
         if (++sinceLook >= kFramesBetweenLooks) {
             sinceLook = 0;
             if (watch.changed(session.state)) apply(session.state, Reload{});
@@ -60,7 +49,14 @@ int runWindow(const WindowRequest& request) {
         frame(session, host->fonts(), host->fullScale());
         autosave.look(session.state, ImGui::GetTime());
         if (session.state.uiScale != host->uiScale()) host->setUiScale(session.state.uiScale);
-    });
+    };
+    const auto draw = [&](const FrameMaker::Draw& one) { host->frame(one); };
+    const FrameMaker maker{draw, draw, [&] { return host->readPixels(); },
+                           [&]() -> const Fonts& { return host->fonts(); },
+                           [&] { return host->fullScale(); }};
+    std::error_code gone;
+    const std::filesystem::path here = std::filesystem::current_path(gone);
+    host->run(show, [&] { exportIfReady(session, maker, here); });
     return kExitSuccess;
 }
 

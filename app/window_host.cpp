@@ -141,7 +141,7 @@ WindowHost::~WindowHost() {
     glfwTerminate();
 }
 
-void WindowHost::run(const std::function<void()>& draw) {
+void WindowHost::run(const std::function<void()>& draw, const std::function<void()>& between) {
     const StopSignals signals;
     using Clock = std::chrono::steady_clock;
     while (!closing() && !stopSignalled) {
@@ -152,6 +152,7 @@ void WindowHost::run(const std::function<void()>& draw) {
         }
         frame(draw);
         present();
+        between();
         // Where nothing paces the buffer swap (a virtual display, a driver without vsync), do not burn a
         // core.
         const auto left = [&] {

@@ -38,8 +38,10 @@ class WindowHost {
     WindowHost& operator=(const WindowHost&) = delete;
 
     /// Frames until the window is closed, `close` is called, or SIGINT or SIGTERM arrives. Follows the
-    /// display's rate, at most 60 frames a second; sleeps while the window is iconified.
-    void run(const std::function<void()>& draw);
+    /// display's rate, at most 60 frames a second; sleeps while the window is iconified. `between`, after
+    /// each frame that is shown, may draw frames of its own, which are not.
+    void run(
+        const std::function<void()>& draw, const std::function<void()>& between = [] {});
 
     /// One frame: input, `draw`, pixels in the back buffer. For tests, `readPixels` may follow, then
     /// `present`.

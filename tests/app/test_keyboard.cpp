@@ -303,6 +303,13 @@ void sharing(Rig& rig) {
     CHECK(rig.state().at == WallPoint{1, 0.125});
 }
 
+void exporting(Rig& rig) {
+    rig.driver.pressKey(Key::ctrl, Key::e);
+    CHECK(rig.state().exportWished);
+    rig.driver.pressKey(Key::escape);
+    CHECK_FALSE(rig.state().exportWished);
+}
+
 const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", lessonStep},
                                                     {"previous step of the lesson", lessonStepBack},
                                                     {"reset", reset},
@@ -333,6 +340,7 @@ const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", 
                                                     {"copy / delete", copyAndDelete},
                                                     {"save the scene", saving},
                                                     {"copy all that is seen", sharing},
+                                                    {"export what is seen", exporting},
                                                     {"type it exactly", exactNumber}};
 
 }  // namespace

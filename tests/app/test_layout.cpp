@@ -199,6 +199,11 @@ TEST_CASE("the help, a banner and a refused run are laid out without a fault") {
         apply(state,
               OpenFile{"/a/folder with a rather long name/and another one inside/that is not there.toml"});
     });
+    checkEverywhere(screens, opened(), "waiting", [](AppState& state) { apply(state, ExportSeen{}); });
+    checkEverywhere(screens, opened(), "exported", [](AppState& state) {
+        state.notice =
+            "12 files are written to /a/folder with a rather long name/and another one/halfdisk-x-1";
+    });
     checkEverywhere(screens, opened(), "too many rays", [](AppState& state) {
         Settings settings = state.settings;
         settings.samples = 4096;

@@ -13,7 +13,8 @@ namespace halfdisk_test {
 namespace {
 
 /// In the child, where nothing may be thrown.
-void replaceProcess(std::vector<char*> argv, int out, int err) {
+void replaceProcess(std::vector<char*> argv, int in, int out, int err) {
+    if (in >= 0) dup2(in, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
     unsetenv("DISPLAY");
@@ -34,7 +35,9 @@ int openForWriting(const std::filesystem::path& path) {
     return file;
 }
 
-Outcome run(int out, const std::filesystem::path& errPath, const std::vector<std::string>& arguments) {
+/// `in` below 0: what this program has.
+Outcome run(int out, const std::filesystem::path& errPath, const std::vector<std::string>& arguments,
+            int in = -1) {
     const int err = openForWriting(errPath);
     std::vector<std::string> texts{HALFDISK_PROGRAM};
     texts.insert(texts.end(), arguments.begin(), arguments.end());
@@ -44,7 +47,7 @@ Outcome run(int out, const std::filesystem::path& errPath, const std::vector<std
 
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("fork failed");
-    if (child == 0) replaceProcess(argv, out, err);
+    if (child == 0) replaceProcess(argv, in, out, err);
     close(out);
     close(err);
     Outcome outcome;
@@ -65,6 +68,16 @@ int closedPipe() {
 Outcome runProgram(const std::vector<std::string>& arguments) {
     const TemporaryFolder folder;
     Outcome outcome = run(openForWriting(folder / "out"), folder / "err", arguments);
+    outcome.out = readFile(folder / "out");
+    return outcome;
+}
+
+Outcome runProgramFrom(const std::string& input, const std::vector<std::string>& arguments) {
+    const TemporaryFolder folder;
+    const int in = open(input.c_str(), O_RDONLY | O_CLOEXEC);
+    if (in < 0) throw std::runtime_error("cannot open " + input);
+    Outcome outcome = run(openForWriting(folder / "out"), folder / "err", arguments, in);
+    close(in);
     outcome.out = readFile(folder / "out");
     return outcome;
 }

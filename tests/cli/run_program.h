@@ -15,6 +15,9 @@ struct Outcome {
 /// Runs the program with these arguments, without a display, and waits for its end.
 Outcome runProgram(const std::vector<std::string>& arguments);
 
+/// The same with the file as standard input.
+Outcome runProgramFrom(const std::string& input, const std::vector<std::string>& arguments);
+
 /// The same with stdout going to `device`, or to a closed pipe if it is empty.
 Outcome runProgramInto(const std::string& device, const std::vector<std::string>& arguments);
 

@@ -39,6 +39,7 @@ TEST_CASE("every command has its help, with examples") {
     for (const std::vector<std::string>& command : {std::vector<std::string>{},
                                                     {"lessons"},
                                                     {"screenshot"},
+                                                    {"export"},
                                                     {"tour"},
                                                     {"probe"},
                                                     {"eye"},

@@ -1,0 +1,83 @@
+// What does the canvas show, in words? Its layers, where the rays go, and what they bring.
+#include "app/canvas_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "app/draw_text.h"
+#include "app/scene_words.h"
+
+namespace halfdisk {
+namespace {
+
+/// Where the rays of P's own samples end, and what they bring.
+std::string raysWords(const AppState& state) {
+    if (!state.answer || !state.answer->record) return {};
+    const Record& record = *state.answer->record;
+    const std::size_t end =
+        state.playback.stepping ? std::min(state.playback.event, record.events.size()) : record.events.size();
+    std::map<std::string, std::size_t> met;
+    std::size_t rays = 0, dark = 0, shadowRays = 0, clear = 0;
+    const Event* brightest = nullptr;
+    for (const std::uint32_t i : state.answer->summary.atP) {
+        if (i >= end) break;
+        const Event& event = record.events[i];
+        if (event.kind == EventKind::light && event.segment != kNoSegment) {
+            ++shadowRays;
+            clear += event.visible ? 1 : 0;
+        }
+        if (event.kind != EventKind::arrival) continue;
+        ++rays;
+        dark += gray(event.value) == 0.0 ? 1 : 0;
+        ++met[event.missed ? "no wall" : state.scene->scene.segmentNames[event.segment]];
+        if (!brightest || gray(event.value) > gray(brightest->value)) brightest = &event;
+    }
+    std::string words;
+    if (rays > 0) {
+        std::vector<std::pair<std::string, std::size_t>> most(met.begin(), met.end());
+        std::stable_sort(most.begin(), most.end(),
+                         [](const auto& a, const auto& b) { return a.second > b.second; });
+        constexpr std::size_t kMostWalls = 8;
+        words = fmt::format("{} rays leave P; they meet", rays);
+        for (std::size_t i = 0; i < std::min(most.size(), kMostWalls); ++i)
+            words += fmt::format("{} {} ({})", i > 0 ? "," : "", most[i].first, most[i].second);
+        if (most.size() > kMostWalls) words += fmt::format(" and {} other walls", most.size() - kMostWalls);
+        words += fmt::format(". {} of them bring nothing.", dark);
+        if (gray(brightest->value) > 0.0)
+            words += fmt::format(" The brightest brings {} W/(m rad) along the direction {}.",
+                                 shown(brightest->value), placeWords(brightest->direction));
+    }
+    if (shadowRays > 0)
+        words += fmt::format("{}{} shadow rays go to points on lamps; {} get through.",
+                             words.empty() ? "" : "\n", shadowRays, clear);
+    return words;
+}
+
+}  // namespace
+
+std::string canvasWords(const AppState& state) {
+    std::string words = "The scene with its walls and lights";
+    if (state.shows(View::halfdisk)) words += ", the half-disk over P";
+    if (state.shows(View::rays)) words += ", the rays of P's samples";
+    if (state.shows(View::tree)) words += ", the rays of the recursion";
+    if (state.shows(View::field)) words += ", the field of light behind it";
+    if (state.shows(View::paths)) words += ", ways that light takes";
+    if (state.shows(View::grid)) words += ", a grid";
+    words += '.';
+    const std::string rays = state.shows(View::rays) ? raysWords(state) : std::string();
+    if (!rays.empty()) words += '\n';
+    words += rays;
+    if (state.shows(View::paths) && state.answer && state.answer->ways) {
+        words += fmt::format("\n{} paths of light were followed, the first {} are drawn",
+                             state.answer->ways->size(),
+                             std::min<std::size_t>(kWaysDrawn, state.answer->ways->size()));
+        if (state.answer->throughPupil)
+            words += fmt::format("; {} pass the eye's pupil", *state.answer->throughPupil);
+        words += '.';
+    }
+    return words;
+}
+
+}  // namespace halfdisk

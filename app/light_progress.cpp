@@ -1,0 +1,74 @@
+#include "app/light_progress.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+#include "app/picture_stages.h"
+
+namespace halfdisk {
+namespace {
+
+struct Part {
+    std::string name;
+    double share;  ///< 0 ... 1
+};
+
+/// Of what is known about P: the run, what is exact, many runs.
+double shareOfPoint(const LightAnswer& answer) {
+    if (answer.pointComplete) return 1.0;
+    return (answer.record ? 0.25 : 0.0) + (answer.exact ? 0.25 : 0.0) + (answer.runs.count > 0 ? 0.25 : 0.0);
+}
+
+/// Nothing if it is an answer to an older question.
+const LightAnswer* answerOf(const AppState& state) {
+    return state.answer && state.answer->asked.id == state.questionId ? state.answer.get() : nullptr;
+}
+
+std::vector<Part> partsOf(const AppState& state) {
+    const LightAnswer* answer = answerOf(state);
+    std::vector<Part> parts{{"P", answer ? shareOfPoint(*answer) : 0.0}};
+    for (const View view : kPictureViews) {
+        if (!state.shows(view) || (view == View::eye && !state.scene->scene.eye)) continue;
+        const std::string name(nameOf(kViews, view));
+        const auto share = [&](const PictureSet* pictures) {
+            const LightPicture* picture = pictures ? pictures->of(view).get() : nullptr;
+            return picture ? shareDone(*picture) : 0.0;
+        };
+        parts.push_back({name, share(answer ? &answer->pictures : nullptr)});
+        if (state.makers.second) parts.push_back({name + " B", share(answer ? &answer->against : nullptr)});
+    }
+    return parts;
+}
+
+/// Never 100 % before all is done.
+int percent(double share) {
+    return static_cast<int>(std::floor(100.0 * share));
+}
+
+}  // namespace
+
+bool lightIsComplete(const AppState& state) {
+    const LightAnswer* answer = answerOf(state);
+    return answer && answer->complete;
+}
+
+double lightShare(const AppState& state) {
+    if (lightIsComplete(state)) return 1.0;
+    const std::vector<Part> parts = partsOf(state);
+    double sum = 0.0;
+    for (const Part& part : parts) sum += part.share;
+    return std::min(0.99, sum / static_cast<double>(parts.size()));
+}
+
+std::string lightProgress(const AppState& state) {
+    std::string words;
+    for (const Part& part : partsOf(state)) {
+        words += fmt::format("{}{} ", words.empty() ? "" : ", ", part.name);
+        words += part.share >= 1.0 ? "done" : fmt::format("{} %", percent(part.share));
+    }
+    return fmt::format("{} %: {}", percent(lightShare(state)), words);
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,70 @@
+#include "app/number_words.h"
+
+#include <fmt/format.h>
+
+#include "app/draw_text.h"
+
+namespace halfdisk {
+namespace {
+
+std::string irradiance(const Rgb& value) {
+    if (isGray(value)) return fmt::format("{} W/m", shown(value));
+    return fmt::format("{} W/m (red, green, blue: {})", shown(gray(value)), shown(value));
+}
+
+void addEstimate(std::vector<NumberWords>& numbers, const AppState& state, const LightAnswer& answer) {
+    const bool printed = state.settings.defects != DefectSet{};
+    const Rgb E = answer.estimate.total();
+    std::string value = irradiance(E);
+    if (answer.standardError)
+        value += fmt::format(" \u00b1 {:.2g}, one standard error from its own samples",
+                             gray(*answer.standardError));
+    else if (answer.runs.count > 1)
+        value += fmt::format(" \u00b1 {:.2g}, one standard error from the spread of {} runs",
+                             gray(glm::sqrt(answer.runs.variance())), answer.runs.count);
+    numbers.push_back({printed ? "E as printed" : "estimate of E", value});
+    if (!printed && state.settings.maxDepth > 0) {
+        numbers.push_back({"of it direct", irradiance(answer.estimate.direct)});
+        numbers.push_back({"of it indirect", irradiance(answer.estimate.indirect)});
+    }
+    if (answer.corrected) numbers.push_back({"E corrected", irradiance(answer.corrected->total())});
+}
+
+void addDamage(std::vector<NumberWords>& numbers, const LightAnswer& answer) {
+    for (const Damage& damage : answer.damage)
+        numbers.push_back(
+            {fmt::format("what {} alone does to E", nameOf(kDefects, damage.defect)),
+             fmt::format("{:+.1f} % \u00b1 {:.2g} %", 100.0 * damage.relative, 100.0 * damage.error)});
+}
+
+}  // namespace
+
+std::vector<NumberWords> numberWords(const AppState& state) {
+    if (!state.answer || state.answer->tooManyRays) return {};
+    const LightAnswer& answer = *state.answer;
+    std::vector<NumberWords> numbers;
+    const bool finished = !state.playback.stepping || state.playback.event >= state.eventCount();
+    const bool counted = state.shows(View::numbers) && finished;
+    if (counted) addEstimate(numbers, state, answer);
+    if (state.shows(View::numbers) && !finished)
+        numbers.push_back({"estimate of E", fmt::format("not finished, at step {} of {}",
+                                                        state.playback.event, state.eventCount())});
+    if (state.shows(View::exact)) {
+        numbers.push_back({"exact E", answer.exact ? irradiance(*answer.exact) : "not known"});
+        if (counted && answer.exact && gray(*answer.exact) != 0.0)
+            numbers.push_back(
+                {"off by", fmt::format("{:+.1f} %",
+                                       100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0))});
+    }
+    if (counted) {
+        numbers.push_back({"L of the wall", answer.radiance
+                                                ? fmt::format("{} W/(m rad)", shown(*answer.radiance))
+                                                : "depends on the view"});
+        numbers.push_back({"rays cast", std::to_string(answer.rays)});
+    }
+    if (answer.nonFinite > 0) numbers.push_back({"samples not finite", std::to_string(answer.nonFinite)});
+    if (state.shows(View::damage)) addDamage(numbers, answer);
+    return numbers;
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,96 @@
+#include "app/plot_tables.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/csv_text.h"
+#include "app/histogram.h"
+#include "app/render_result.h"
+#include "app/shown_pictures.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+
+void addPixels(CsvText& table, const AppState& state, View view) {
+    for (const ShownPicture& shown : shownPictures(state, view)) {
+        const Sensor& sensor = shown.picture->sensor;
+        const PixelPlaces places(sensor, state.answer->asked.scene->index);
+        const PixelStatistics& pixels = shown.picture->film.pixels;
+        const std::size_t coordinates = placeColumns(sensor).size();
+        for (std::uint32_t pixel = 0; pixel < pixels.size(); ++pixel) {
+            const Statistics value = pixels[pixel];
+            table.cell(std::string_view(shown.maker));
+            const std::array<double, 2> place = places.at(pixel);
+            for (std::size_t i = 0; i < coordinates; ++i) table.cell(place[i]);
+            table.cell(value.mean);
+            if (hasError(value))
+                table.cell(value.standardError());
+            else
+                table.empty(3);
+            table.endRow();
+        }
+    }
+}
+
+}  // namespace
+
+std::string integrandTable(const AppState& state) {
+    CsvText table{"thetaFromNormal (degrees)", "LR (W/(m rad))",    "LG (W/(m rad))",   "LB (W/(m rad))",
+                  "LcosR (W/(m rad))",         "LcosG (W/(m rad))", "LcosB (W/(m rad))"};
+    if (!state.answer) return table.text();
+    for (const IntegrandPoint& point : state.answer->integrand) {
+        table.cell(90.0 - point.theta * kDegrees).cell(point.radiance);
+        table.cell(point.radiance * std::sin(point.theta));
+        table.endRow();
+    }
+    return table.text();
+}
+
+std::string errorTable(const AppState& state) {
+    CsvText table{"N", "rmsError (W/m)", "standardErrorOfIt (W/m)"};
+    if (!state.answer) return table.text();
+    for (const ErrorPoint& point : state.answer->errors)
+        table.cell(point.samples).cell(point.rms).cell(point.spread).endRow();
+    return table.text();
+}
+
+std::string histogramTable(const AppState& state) {
+    CsvText table{"from (W/m)", "to (W/m)", "samples", "share (%)", "ofThisRun"};
+    if (!state.answer || state.answer->histogramOf.empty()) return table.text();
+    const Histogram histogram = histogramOf(state.answer->histogramOf);
+    std::array<double, Histogram::kBins> ofRun{};
+    for (const Rgb& value : state.answer->contributions) {
+        const double light = gray(value);
+        if (light >= histogram.low && light <= histogram.high) ++ofRun[histogram.binOf(light)];
+    }
+    for (std::size_t bin = 0; bin < Histogram::kBins; ++bin) {
+        table.cell(histogram.edge(bin)).cell(histogram.edge(bin + 1)).cell(histogram.counts[bin]);
+        table.cell(100.0 * histogram.counts[bin] / histogram.counted).cell(ofRun[bin]).endRow();
+    }
+    return table.text();
+}
+
+std::string profileTable(const AppState& state) {
+    CsvText table{"maker",    "place (m)",    "ER (W/m)",     "EG (W/m)",
+                  "EB (W/m)", "errorR (W/m)", "errorG (W/m)", "errorB (W/m)"};
+    addPixels(table, state, View::profile);
+    return table.text();
+}
+
+std::string eyeTable(const AppState& state) {
+    CsvText table{"maker",          "angle (degrees)",    "LR (W/(m rad))",     "LG (W/(m rad))",
+                  "LB (W/(m rad))", "errorR (W/(m rad))", "errorG (W/(m rad))", "errorB (W/(m rad))"};
+    addPixels(table, state, View::eye);
+    return table.text();
+}
+
+std::string fieldTable(const AppState& state) {
+    CsvText table{"maker",          "x (m)",        "y (m)",        "fluenceR (W/m)", "fluenceG (W/m)",
+                  "fluenceB (W/m)", "errorR (W/m)", "errorG (W/m)", "errorB (W/m)"};
+    addPixels(table, state, View::field);
+    return table.text();
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,38 @@
+// Which numbers does each plot show? As tables: a row for each of its points, the unit of every column in its
+// name.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "app/app_state.h"
+
+namespace halfdisk {
+
+/// All are CSV (see csv_text.h), with no rows below the header where there is nothing to show. Light is in
+/// red, green and blue.
+std::string integrandTable(const AppState& state);
+std::string errorTable(const AppState& state);
+std::string histogramTable(const AppState& state);
+/// Mean and, where it is known, standard error of every pixel; with two makers the second's rows follow.
+std::string profileTable(const AppState& state);
+std::string eyeTable(const AppState& state);
+std::string fieldTable(const AppState& state);
+
+struct PlotTable {
+    std::string_view name;  ///< of the drawing, as of the file
+    View view;
+    std::string (*table)(const AppState& state);
+};
+
+inline constexpr std::array<PlotTable, 6> kPlotTables{{
+    {"integrand", View::integrand, integrandTable},
+    {"error", View::error, errorTable},
+    {"histogram", View::histogram, histogramTable},
+    {"profile", View::profile, profileTable},
+    {"eye", View::eye, eyeTable},
+    {"field", View::field, fieldTable},
+}};
+
+}  // namespace halfdisk

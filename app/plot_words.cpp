@@ -1,0 +1,208 @@
+#include "app/plot_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/canvas_words.h"
+#include "app/draw_text.h"
+#include "app/histogram.h"
+#include "app/render_sensor.h"
+#include "app/scene_words.h"
+#include "app/shown_pictures.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr double kDegrees = 180.0 / kPi;
+constexpr std::size_t kParts = 8;
+
+/// The mean of each of so many equal parts of a row.
+std::vector<double> partMeans(const std::vector<double>& values, std::size_t parts) {
+    std::vector<double> means;
+    for (std::size_t part = 0; part < parts; ++part) {
+        const std::size_t from = part * values.size() / parts, to = (part + 1) * values.size() / parts;
+        double sum = 0.0;
+        for (std::size_t i = from; i < to; ++i) sum += values[i];
+        means.push_back(to > from ? sum / static_cast<double>(to - from) : 0.0);
+    }
+    return means;
+}
+
+std::string listed(const std::vector<double>& values) {
+    std::string words;
+    for (const double value : values) words += fmt::format("{}{:.3g}", words.empty() ? "" : ", ", value);
+    return words;
+}
+
+std::vector<double> graysOf(const LightPicture& picture) {
+    std::vector<double> values;
+    for (const Rgb& mean : picture.film.pixels.mean) values.push_back(gray(mean));
+    return values;
+}
+
+std::string integrandWords(const AppState& state) {
+    if (!state.answer || state.answer->integrand.empty()) return "Nothing exact is known about P.";
+    const auto& points = state.answer->integrand;
+    const auto brighter = [](const IntegrandPoint& a, const IntegrandPoint& b) {
+        return gray(a.radiance) < gray(b.radiance);
+    };
+    const auto [least, most] = std::minmax_element(points.begin(), points.end(), brighter);
+    const auto weighted = [](const IntegrandPoint& p) { return gray(p.radiance) * std::sin(p.theta); };
+    const auto heaviest = std::max_element(points.begin(), points.end(), [&](const auto& a, const auto& b) {
+        return weighted(a) < weighted(b);
+    });
+    std::vector<double> values;
+    for (auto p = points.rbegin(); p != points.rend(); ++p) values.push_back(gray(p->radiance));
+    const auto angle = [](const IntegrandPoint& p) { return 90.0 - p.theta * kDegrees; };
+    return fmt::format(
+        "Light L against the angle from the normal, -90 to 90 degrees (positive to the right): from {} to {} "
+        "W/(m rad), most at {:.0f} degrees. Weighed by the cosine, most is {} at {:.0f} degrees.\n"
+        "Mean of L in eight equal parts from -90 to 90 degrees: {}.",
+        shown(gray(least->radiance)), shown(gray(most->radiance)), angle(*most), shown(weighted(*heaviest)),
+        angle(*heaviest), listed(partMeans(values, kParts)));
+}
+
+std::string errorWords(const AppState& state) {
+    if (!state.answer || state.answer->errors.size() < 2) return "Not measured, for no exact value is known.";
+    const ErrorPoint &first = state.answer->errors.front(), &last = state.answer->errors.back();
+    std::string words = fmt::format(
+        "Root mean square error of E over 48 runs each, N doubling from {:.0f} to {:.0f}: from {} W/m down "
+        "to "
+        "{} W/m.",
+        first.samples, last.samples, shown(first.rms), shown(last.rms));
+    if (first.rms > 0.0 && last.rms > 0.0)
+        words += fmt::format(
+            " That is {:.3g} times less for {:.0f} times as many samples (the square root is "
+            "{:.3g}).",
+            first.rms / last.rms, last.samples / first.samples, std::sqrt(last.samples / first.samples));
+    return words;
+}
+
+std::string histogramWords(const AppState& state) {
+    if (!state.answer || state.answer->histogramOf.empty()) return "Nothing was counted.";
+    const Histogram histogram = histogramOf(state.answer->histogramOf);
+    const auto fullest = std::max_element(histogram.counts.begin(), histogram.counts.end());
+    const auto bin = static_cast<std::size_t>(fullest - histogram.counts.begin());
+    const auto zeros = std::count(state.answer->histogramOf.begin(), state.answer->histogramOf.end(), 0.0);
+    return fmt::format(
+        "{:.0f} single samples bring from {} to {} W/m, in the mean {}. {:.3g} % bring nothing at all. The "
+        "fullest of {} bins is that from {} to {} W/m, with {:.3g} %.",
+        histogram.counted, shown(histogram.low), shown(histogram.high), shown(histogram.mean),
+        100.0 * static_cast<double>(zeros) / std::max(1.0, histogram.counted), Histogram::kBins,
+        shown(histogram.edge(bin)), shown(histogram.edge(bin + 1)), 100.0 * *fullest / histogram.counted);
+}
+
+/// `not shown: ...` of pictures that an estimator refuses to make.
+std::string refusals(const AppState& state, View view) {
+    std::string words;
+    if (!state.answer) return words;
+    for (const PictureSet* pictures : {&state.answer->pictures, &state.answer->against})
+        if (const auto& picture = pictures->of(view); picture && !picture->refusal.empty())
+            words += fmt::format("{}No picture: {}.", words.empty() ? "" : "\n", picture->refusal);
+    return words;
+}
+
+std::string costWords(const LightPicture& picture) {
+    std::string words = fmt::format("{} rays", picture.film.counts.rays);
+    if (picture.noise) words += fmt::format(", noise {:.2g} %", 100.0 * *picture.noise);
+    if (!picture.complete) words += ", not complete yet";
+    return words;
+}
+
+/// What `where` says of the brightest pixel, and eight parts from one end to the other.
+std::string rowWords(const AppState& state, View view, std::string_view unit, std::string_view ends,
+                     const auto& where) {
+    std::string words;
+    for (const ShownPicture& shownOne : shownPictures(state, view)) {
+        const std::vector<double> values = graysOf(*shownOne.picture);
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        words += fmt::format("{}{} ({}): from {} to {} {}, most {}.\nMean of eight equal parts {}: {}.",
+                             words.empty() ? "" : "\n", shownOne.maker, costWords(*shownOne.picture),
+                             shown(*least), shown(*most), unit,
+                             where(*shownOne.picture, static_cast<std::uint32_t>(most - values.begin())),
+                             ends, listed(partMeans(values, kParts)));
+    }
+    const std::string refused = refusals(state, view);
+    if (!words.empty() && !refused.empty()) words += '\n';
+    words += refused;
+    return words.empty() ? "There is no picture yet." : words;
+}
+
+std::string profileWords(const AppState& state) {
+    const std::string& wall = state.scene->scene.segmentNames[state.at.segment];
+    return rowWords(state, View::profile, "W/m", fmt::format("from the beginning of {} to its end", wall),
+                    [&](const LightPicture& picture, std::uint32_t bin) {
+                        return fmt::format(
+                            "{:.3g} m from the beginning",
+                            PixelPlaces(picture.sensor, state.answer->asked.scene->index).at(bin)[0]);
+                    });
+}
+
+std::string eyeStripWords(const AppState& state) {
+    if (!state.scene->scene.eye) return "This scene has no eye.";
+    return rowWords(state, View::eye, "W/(m rad)", "from left to right",
+                    [&](const LightPicture& picture, std::uint32_t pixel) {
+                        return fmt::format(
+                            "{:.0f} degrees to the right of the middle",
+                            PixelPlaces(picture.sensor, state.answer->asked.scene->index).at(pixel)[0]);
+                    });
+}
+
+std::string fieldWords(const AppState& state) {
+    std::string words;
+    for (const ShownPicture& shownOne : shownPictures(state, View::field)) {
+        const Field& field = std::get<Field>(shownOne.picture->sensor);
+        const std::vector<double> values = graysOf(*shownOne.picture);
+        const std::uint32_t across = std::min(8u, field.width), down = std::min(4u, field.height);
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        const PixelPlaces places(shownOne.picture->sensor, state.answer->asked.scene->index);
+        const auto at = places.at(static_cast<std::uint32_t>(most - values.begin()));
+        words += fmt::format(
+            "{}{} ({}): fluence from {} to {} W/m, most at {}. The mean in {} parts from left to right, in "
+            "{} "
+            "rows "
+            "from the top:",
+            words.empty() ? "" : "\n", shownOne.maker, costWords(*shownOne.picture), shown(*least),
+            shown(*most), placeWords({at[0], at[1]}), across, down);
+        for (std::uint32_t part = 0; part < down; ++part) {
+            std::vector<double> row(field.width, 0.0);
+            const std::uint32_t from = part * field.height / down, to = (part + 1) * field.height / down;
+            for (std::uint32_t y = from; y < to; ++y)
+                for (std::uint32_t x = 0; x < field.width; ++x)
+                    row[x] += values[std::size_t{y} * field.width + x] / (to - from);
+            words += fmt::format("\nrow {}: {}", part + 1, listed(partMeans(row, across)));
+        }
+    }
+    const std::string refused = refusals(state, View::field);
+    if (!words.empty() && !refused.empty()) words += '\n';
+    words += refused;
+    return words.empty() ? "There is no picture yet." : words;
+}
+
+}  // namespace
+
+std::string drawingWords(const AppState& state, std::string_view name) {
+    if (name == "canvas") return canvasWords(state);
+    if (name == "integrand") return integrandWords(state);
+    if (name == "error") return errorWords(state);
+    if (name == "histogram") return histogramWords(state);
+    if (name == "profile") return profileWords(state);
+    if (name == "eye") return eyeStripWords(state);
+    if (name == "field") return fieldWords(state);
+    return {};
+}
+
+std::string drawingTitle(const AppState& state, std::string_view name) {
+    if (name == "integrand") return "Light arriving at P";
+    if (name == "error") return "Error against N";
+    if (name == "histogram") return "What single samples bring";
+    if (name == "profile")
+        return fmt::format("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
+    if (name == "eye") return "What the eye sees";
+    if (name == "field") return "The field of light";
+    return "The scene";
+}
+
+}  // namespace halfdisk

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <optional>
 
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
@@ -123,14 +124,19 @@ std::vector<std::string> piecesOf(const std::string& text, std::size_t most) {
 
 /// What the reader clicks on: the number of the published listing, or of the source file.
 struct LineName {
-    std::string text;  ///< empty: a line of neither
-    Command jump;
+    std::string text;             ///< empty: a line of neither
+    std::optional<Command> jump;  ///< none: a line that does nothing
 };
 
 LineName nameOf(const Listing& listing, std::size_t i) {
     const ListingLine& line = listing[i];
     if (line.number > 0) return {fmt::format("{:03}", line.number), JumpToLine{line.number}};
-    if (line.source == 0 || line.text.empty()) return {{}, DismissBanner{}};
+    if (line.source == 0) {  // one that the published listing lacks belongs to the next that it has
+        for (std::size_t k = i; k < listing.size() && !line.comment && !line.text.empty(); ++k)
+            if (listing[k].number > 0) return {{}, JumpToLine{listing[k].number}};
+        return {};
+    }
+    if (line.text.empty()) return {};
     const bool last = i + 1 == listing.size() || listing[i + 1].file != line.file;
     const int to = last ? INT_MAX : listing[i + 1].source;
     return {fmt::format("{:3}", line.source), JumpToSource{{line.file, line.source}, {line.file, to}}};
@@ -151,12 +157,12 @@ void codeLine(const Ui& ui, const Listing& listing, std::size_t i, bool lit, boo
         list.AddRectFilled(origin, end, ui.palette.currentLine);
     else if (marked)
         list.AddRectFilled(origin, end, withOpacity(ui.palette.halfDisk, 0.28f));
-    if (!name.text.empty()) {
+    if (name.jump) {
         if (ImGui::InvisibleButton(fmt::format("line{}##{}", name.text, i).c_str(), {width, height}))
-            ui.commands.push_back(name.jump);
-        markItem(ui.widgets, "line " + name.text);
-        tooltip(line.number > 0 ? "line of the published listing; click: on to the next step there"
-                                : "line of the source file; click: on to the next step there");
+            ui.commands.push_back(*name.jump);
+        if (!name.text.empty()) markItem(ui.widgets, "line " + name.text);
+        tooltip(line.source == 0 ? "line of the published listing; click: on to the next step there"
+                                 : "line of the source file; click: on to the next step there");
         drawText(ui, {origin.x, origin.y + ui.scale}, ui.palette.inkSoft, name.text, Align::left, font);
     } else {
         ImGui::Dummy({width, height});

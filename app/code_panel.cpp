@@ -160,10 +160,11 @@ void codeLine(const Ui& ui, const Listing& listing, std::size_t i, bool lit, boo
     if (name.jump) {
         if (ImGui::InvisibleButton(fmt::format("line{}##{}", name.text, i).c_str(), {width, height}))
             ui.commands.push_back(*name.jump);
-        if (!name.text.empty()) markItem(ui.widgets, "line " + name.text);
+        if (!name.text.empty()) markItem(ui.widgets, fmt::format("line {}", name.text));
         tooltip(line.source == 0 ? "line of the published listing; click: on to the next step there"
                                  : "line of the source file; click: on to the next step there");
-        drawText(ui, {origin.x, origin.y + ui.scale}, ui.palette.inkSoft, name.text, Align::left, font);
+        if (!name.text.empty())
+            drawText(ui, {origin.x, origin.y + ui.scale}, ui.palette.inkSoft, name.text, Align::left, font);
     } else {
         ImGui::Dummy({width, height});
     }

@@ -61,17 +61,19 @@ void setView(AppState& state, const SetView& set) {
 }
 
 void drawCurve(AppState& state, const DrawCurve& stroke) {
+    for (const double number : {stroke.fromTheta, stroke.toTheta, stroke.from, stroke.to})
+        if (!std::isfinite(number)) return;
     state.drawing = true;
     if (state.drawn.empty()) state.drawn.assign(kDrawnBins, -1.0f);
     const auto binOf = [](double theta) {
-        return std::clamp(static_cast<int>(theta / kPi * kDrawnBins), 0, static_cast<int>(kDrawnBins) - 1);
+        return static_cast<int>(std::clamp(theta / kPi * kDrawnBins, 0.0, kDrawnBins - 1.0));
     };
     const int first = binOf(stroke.fromTheta), last = binOf(stroke.toTheta), by = last < first ? -1 : 1;
     for (int bin = first;; bin += by) {
         const double t = last == first ? 1.0 : static_cast<double>(bin - first) / (last - first);
         const double value = stroke.from + t * (stroke.to - stroke.from);
-        if (std::isfinite(value))
-            state.drawn[static_cast<std::size_t>(bin)] = static_cast<float>(std::max(0.0, value));
+        constexpr double kMost = 1e30;
+        state.drawn[static_cast<std::size_t>(bin)] = static_cast<float>(std::clamp(value, 0.0, kMost));
         if (bin == last) return;
     }
 }

@@ -43,7 +43,7 @@ bool drawnCurve(const Ui& ui, const Plot& plot) {
             stroke.push_back(plot.at(90.0 - theta * 180.0 / kPi, state.drawn[bin]));
             continue;
         }
-        plotLine(plot, stroke, ui.palette.normal, 3 * ui.scale);
+        plotLine(ui, plot, stroke, ui.palette.normal, 3 * ui.scale);
         stroke.clear();
     }
     if (isDrawn(state)) {

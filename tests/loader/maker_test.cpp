@@ -36,6 +36,15 @@ double valueOf(const Maker& maker, std::string_view name) {
 
 }  // namespace
 
+TEST_CASE("a goal may ask for a line, any of several, and a step for another run") {
+    const Goal goal = *stepOf(kGoal + "says = 'Go'\nreach = 'line'\nlines = [27, 30]\n").goal;
+    CHECK(goal.quantity == GoalQuantity::line);
+    CHECK(goal.lines == std::vector{27, 30});
+    CHECK(stepOf(kSet + "run = 'photon-map'\n").values.run == Run::photonMap);
+    CHECK(stepOf(kSet + "seed = 2\n").values.run == Run::castRay);
+    check(kSet + "run = ^'radiosity'\n", {"\"bidirectional\""});
+}
+
 TEST_CASE("a maker has its table's own values, but for those that are given") {
     const Makers makers = stepOf(kSet +
                                  "estimator = 'photon-map'\nparams = { photons = 500, caustics = 'off' }\n"
@@ -103,5 +112,10 @@ TEST_CASE("a wrong goal is told with its place") {
     check(kGoal + "says = 'Go'\nreach = 'rays'\natLeast = 1\natMost = ^2\n", {"the goal has two numbers"});
     check(head + "reach = 'rays'\natLeast = 1\n", {"\"says\""});
     check(kGoal + "says = 'Go'\nreach = ^'ray'\natLeast = 1\n", {"\"rays\""});
+    check(kHead + kStep + "^[step.goal]\nsays = 'Go'\nreach = 'line'\n", {"no \"lines\""});
+    check(kGoal + "says = 'Go'\nreach = 'line'\nlines = ^[]\n", {"is empty"});
+    check(kGoal + "says = 'Go'\nreach = 'line'\nlines = [3, ^99]\n", {"34"});
+    check(kGoal + "says = 'Go'\nreach = 'line'\nlines = [3]\natLeast = ^1\n", {"has no number"});
+    check(kGoal + "says = 'Go'\nreach = 'rays'\natLeast = 1\nlines = ^[3]\n", {"belong to a goal"});
     check(kGoal + "says = 'Go'\nreach = 'rays'\natLeast = ^nan\n", {"a finite number"});
 }

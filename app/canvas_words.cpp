@@ -24,7 +24,7 @@ std::string raysWords(const AppState& state) {
     for (const std::uint32_t i : state.answer->summary.atP) {
         if (i >= end) break;
         const Event& event = record.events[i];
-        if (event.kind == EventKind::light && event.segment != kNoSegment) {
+        if (event.kind == EventKind::light) {
             ++shadowRays;
             clear += event.visible ? 1 : 0;
         }
@@ -50,8 +50,8 @@ std::string raysWords(const AppState& state) {
                                  shown(brightest->value), placeWords(brightest->direction));
     }
     if (shadowRays > 0)
-        words += fmt::format("{}{} shadow rays go to points on lamps; {} get through.",
-                             words.empty() ? "" : "\n", shadowRays, clear);
+        words += fmt::format("{}{} shadow rays go to lights; {} get through.", words.empty() ? "" : "\n",
+                             shadowRays, clear);
     return words;
 }
 

@@ -13,10 +13,6 @@
 
 namespace halfdisk {
 
-/// `<`, `&`, `"` and the like as XML wants them; what XML cannot hold (control characters, broken UTF-8)
-/// becomes U+FFFD.
-std::string xmlText(std::string_view text);
-
 /// A part of the screen. All places are pixels of the screen; colours are ImGui's, with opacity.
 class SvgDrawing {
  public:

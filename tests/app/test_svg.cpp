@@ -7,6 +7,7 @@
 #include "app/csv_text.h"
 #include "app/svg_drawing.h"
 #include "app/words_page.h"
+#include "app/xml_text.h"
 #include "file_reading.h"
 
 using namespace halfdisk;
@@ -85,6 +86,21 @@ TEST_CASE("svg: words keep their letters, whatever they are") {
     CHECK(xml.description == words);
     CHECK(holds(svg.svg("", ""), "textLength=\"80\""));
     CHECK(holds(svg.svg("", ""), "font-weight=\"bold\""));
+}
+
+TEST_CASE("svg: cells are a picture in the text, whatever their number of bytes") {
+    CHECK(base64("") == "");
+    CHECK(base64("f") == "Zg==");
+    CHECK(base64("fo") == "Zm8=");
+    CHECK(base64("foobar") == "Zm9vYmFy");
+    SvgDrawing svg = drawing();
+    const std::vector<std::uint32_t> colors{0xff000000u, 0xffffffffu, 0xff0000ffu};
+    svg.cells({10, 20}, {40, 30}, colors, 3, 0.5f);
+    const std::string file = svg.svg("", "");
+    CHECK(readXml(file).fault.empty());
+    CHECK(holds(file, "<image x=\"0\" y=\"0\" width=\"30\" height=\"10\""));
+    CHECK(holds(file, "opacity=\"0.5\""));
+    CHECK(holds(file, "data:image/png;base64,iVBORw0KGgo"));
 }
 
 TEST_CASE("csv: quotes where they are needed, numbers with every bit, nothing for what is not finite") {

@@ -46,8 +46,30 @@ struct SetTool {
 struct SetSnap {
     bool on;
 };
-struct SelectThing {
-    std::optional<Thing> thing;
+struct SelectThings {
+    Selection things;
+};
+struct ActOnSelected {
+    EditAct act;
+};
+/// A thing of a tool, as if it were drawn from one place to the other (m).
+struct AddNew {
+    Tool tool;
+    Vec2 from, to;
+};
+struct MoveSelected {
+    Vec2 by;         ///< m
+    bool continues;  ///< the same gesture, if it still goes on
+};
+/// Of the selected shapes.
+struct SetMaterial {
+    std::string name;  ///< empty: the default one
+};
+struct AddMaterial {
+    std::size_t kind;  ///< an alternative of Material
+};
+struct ChooseSkyImage {
+    std::string image;  ///< beside the scene's file; empty: none
 };
 struct BeginGesture {
     Vec2 place;                         ///< m
@@ -55,7 +77,7 @@ struct BeginGesture {
 };
 struct EditScene {
     SceneDescription scene;
-    std::optional<Thing> selected;
+    Selection selected;
     bool continues = false;  ///< the same gesture: undone together with what came before
 };
 struct Undo {};
@@ -112,15 +134,38 @@ struct UnlockAll {
     bool on;
 };
 struct ToggleHelp {};
+struct ShowPalette {
+    bool shown;
+};
+struct SetQuery {
+    std::string query;
+};
+struct SelectEntry {
+    std::size_t index;  ///< of those that the query finds
+};
+struct ShowFiles {
+    bool shown;
+};
+struct SetFilePath {
+    std::string path;
+};
+struct SelectFile {
+    std::size_t index;
+};
 struct DismissBanner {};
 
 using Command =
     std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, Reload,
-                 SetSettings, SetMakers, SetSplit, SetEditing, SetTool, SetSnap, SelectThing, BeginGesture,
-                 EditScene, Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine,
+                 SetSettings, SetMakers, SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected,
+                 AddNew, MoveSelected, SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene,
+                 Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine,
                  ShowWholeRun, TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView,
-                 LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, DismissBanner>;
+                 LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll, ToggleHelp, ShowPalette, SetQuery,
+                 SelectEntry, ShowFiles, SetFilePath, SelectFile, DismissBanner>;
 using Commands = std::vector<Command>;
+
+/// What a class may not do on a machine that stands for all: it does nothing.
+bool isForbidden(const AppState& state, const Command& command);
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.
 void apply(AppState& state, const Command& command);

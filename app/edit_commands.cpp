@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/nearest_wall.h"
+#include "lessons/sky_image.h"
 
 namespace halfdisk {
 namespace {
@@ -23,7 +24,7 @@ void show(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     if (state.scene) state.at = keptPoint(*state.scene, state.at, scene->scene);
     state.scene = std::move(scene);
     Editing& editing = state.editing;
-    if (editing.selected && !exists(state.scene->description, *editing.selected)) editing.selected.reset();
+    editing.selected = existing(state.scene->description, editing.selected);
     state.eyePixel.reset();
     state.editing.message.clear();
     ++state.questionId;
@@ -48,6 +49,12 @@ bool hasComments(const std::filesystem::path& file) {
     return false;
 }
 
+bool isWithin(const std::filesystem::path& file, const std::filesystem::path& folder) {
+    std::error_code none;
+    const std::filesystem::path way = std::filesystem::relative(file, folder, none);
+    return !none && !way.empty() && *way.begin() != "..";
+}
+
 /// Shows the last scene of `from`; the one that it takes the place of goes to `to`.
 void stepBack(AppState& state, std::vector<std::shared_ptr<const PreparedScene>>& from,
               std::vector<std::shared_ptr<const PreparedScene>>& to) {
@@ -69,6 +76,13 @@ SceneDescription withoutFarImage(SceneDescription scene, const std::filesystem::
     std::string& image = scene.environment.image;
     if (!image.empty() && !std::filesystem::exists(file.parent_path() / image, none)) image.clear();
     return scene;
+}
+
+std::filesystem::path usualFolder(const AppState& state) {
+    const bool ofLesson = state.lesson && state.sceneOverride.empty();
+    const std::filesystem::path folder =
+        (ofLesson ? state.lesson->scenePath : state.sceneOverride).parent_path();
+    return folder.empty() ? std::filesystem::path(".") : folder;
 }
 
 bool isEdited(const AppState& state) {
@@ -95,7 +109,7 @@ void replaceScene(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     editing.history.future.clear();
     editing.neverSaved = false;
     editing.clean.reset();
-    editing.selected.reset();
+    editing.selected = {};
     editing.start.reset();
     editing.message = std::move(message);
     state.scene = std::move(scene);
@@ -119,6 +133,62 @@ void editScene(AppState& state, const EditScene& edit) {
     show(state, std::move(changed));
 }
 
+void beginGesture(AppState& state, const BeginGesture& gesture) {
+    Editing& editing = state.editing;
+    editing.start = state.scene;
+    editing.grabbed = gesture.place;
+    editing.handle = gesture.handle;
+    editing.before = editing.selected;
+    editing.changing = false;
+}
+
+void actOnSelected(AppState& state, EditAct act) {
+    if (!serves(act, state.editing.selected)) return;
+    EditScene edit{state.scene->description, {}, false};
+    edit.selected = perform(act, edit.scene, state.editing.selected);
+    editScene(state, edit);
+}
+
+void addNew(AppState& state, const AddNew& add) {
+    EditScene edit{state.scene->description, {}, false};
+    edit.selected = addThing(edit.scene, add.tool, add.from, add.to);
+    if (!edit.selected.empty()) editScene(state, edit);
+}
+
+void moveSelected(AppState& state, const MoveSelected& move) {
+    const Editing& editing = state.editing;
+    if (editing.selected.empty()) return;
+    const bool continues = move.continues && editing.start && editing.changing;
+    if (!continues) beginGesture(state, {Vec2(0.0), std::nullopt});
+    EditScene edit{state.scene->description, editing.selected, continues};
+    moveBy(edit.scene, edit.selected, move.by);
+    editScene(state, edit);
+}
+
+void setMaterialOfSelected(AppState& state, const std::string& name) {
+    EditScene edit{state.scene->description, state.editing.selected, false};
+    setMaterial(edit.scene, edit.selected, name);
+    if (!(edit.scene == state.scene->description)) editScene(state, edit);
+}
+
+void addMaterialToSelected(AppState& state, std::size_t kind) {
+    EditScene edit{state.scene->description, state.editing.selected, false};
+    setMaterial(edit.scene, edit.selected, addMaterial(edit.scene, kind));
+    editScene(state, edit);
+}
+
+void chooseSkyImage(AppState& state, const std::string& image) {
+    EditScene edit{state.scene->description, state.editing.selected, false};
+    Sky& sky = edit.scene.environment;
+    try {
+        sky.light.strip = image.empty() ? std::vector<Rgb>() : readSky(usualFolder(state) / image);
+        sky.image = image;
+        editScene(state, edit);
+    } catch (const std::exception& error) {
+        state.editing.message = error.what();
+    }
+}
+
 void undo(AppState& state) {
     stepBack(state, state.editing.history.past, state.editing.history.future);
 }
@@ -136,7 +206,8 @@ void saveEdited(AppState& state, const SaveScene& save) {
     }
     std::error_code none;
     const bool there = std::filesystem::exists(file, none), comments = there && hasComments(file);
-    if (!editing.confirmed && (comments || (there && editing.savedAs != save.path))) {
+    const bool isOwn = editing.savedAs == save.path || editing.origin == save.path;
+    if (!editing.confirmed && (comments || (there && !isOwn))) {
         editing.confirmed = true;
         editing.message = fmt::format("{} {}. Save again to write over it.", save.path,
                                       comments ? "has comments, which would go" : "is there already");
@@ -147,6 +218,7 @@ void saveEdited(AppState& state, const SaveScene& save) {
         editing.clean = state.scene;
         editing.neverSaved = false;
         editing.savedAs = save.path;
+        remember(state.recent, file);
         editing.message = fmt::format("saved: {}", save.path);
     } catch (const std::exception& error) {
         editing.message = error.what();
@@ -154,19 +226,26 @@ void saveEdited(AppState& state, const SaveScene& save) {
     editing.confirmed = false;
 }
 
-void setEditing(AppState& state, bool on) {
+void nameFile(AppState& state) {
     Editing& editing = state.editing;
-    editing.on = on;
-    editing.start.reset();
-    const std::filesystem::path opened =
-        state.sceneOverride.empty() && state.lesson ? state.lesson->scenePath : state.sceneOverride;
-    if (on && (editing.path.empty() || editing.origin != opened.string())) {
-        const std::string stem = opened.stem().string();
-        editing.path = (stem.empty() ? "scene" : "my_" + stem) + ".toml";
-        editing.origin = opened.string();
-        editing.savedAs.clear();
-        editing.confirmed = false;
-    }
+    const bool ofLesson = state.sceneOverride.empty() && state.lesson;
+    const std::filesystem::path opened = ofLesson ? state.lesson->scenePath : state.sceneOverride;
+    if (!editing.path.empty() && editing.origin == opened.string()) return;
+    const std::string stem = opened.stem().string();
+    const bool ofCourse =
+        ofLesson || opened.empty() || isWithin(opened, state.lessonsFolder);  // which stays as it is
+    editing.path = !ofCourse      ? opened.string()
+                   : stem.empty() ? std::string("scene.toml")
+                                  : "my_" + stem + ".toml";
+    editing.origin = opened.string();
+    editing.savedAs.clear();
+    editing.confirmed = false;
+}
+
+void setEditing(AppState& state, bool on) {
+    state.editing.on = on;
+    state.editing.start.reset();
+    if (on) nameFile(state);
     state.fitCamera = false;  // what is drawn shall stay under the pointer
 }
 

@@ -192,9 +192,15 @@ void frame(Session& session, const Fonts& fonts, float uiScale) {
     Commands commands;
     const Ui ui{state, fonts, session.palette, session.listings, session.widgets, commands, uiScale};
     columns(ui);
-    if (!state.banner.empty()) bannerBar(ui);
-    if (state.helpShown) helpOverlay(ui);
-    keyboard(ui);
+    if (state.palette.shown) {
+        paletteOverlay(ui);
+    } else if (state.files.shown) {
+        filesOverlay(ui);
+    } else {
+        if (!state.banner.empty()) bannerBar(ui);
+        if (state.helpShown) helpOverlay(ui);
+        keyboard(ui);
+    }
 
     for (const Command& command : commands) apply(state, command);
     dropForeignAnswer(state);

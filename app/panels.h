@@ -23,6 +23,10 @@ void errorPlot(const Ui& ui, ImVec2 size);
 void histogramPlot(const Ui& ui, ImVec2 size);
 void helpOverlay(const Ui& ui);
 void bannerBar(const Ui& ui);
+/// The list of all that can be done.
+void paletteOverlay(const Ui& ui);
+/// The list of files that can be opened.
+void filesOverlay(const Ui& ui);
 
 /// Keys that work wherever the pointer is, unless a text field has the keyboard.
 void keyboard(const Ui& ui);

@@ -9,6 +9,7 @@
 #include "app/commands.h"
 #include "app/file_watch.h"
 #include "app/frame.h"
+#include "app/recent_files.h"
 #include "app/share_text.h"
 #include "app/window_host.h"
 
@@ -47,6 +48,9 @@ int runWindow(const WindowRequest& request) {
         session.state.banner = fmt::format(
             "The program ended with unsaved changes. They are in {}: drop that file on this window.",
             left->string());
+    RecentFiles recent(stateFolder());
+    if (!request.rules.kiosk) session.state.recent = recent.read();
+    if (request.scene) remember(session.state.recent, *request.scene);
     FileWatch watch;
     constexpr int kFramesBetweenLooks = 20;
     int sinceLook = 0;
@@ -57,6 +61,7 @@ int runWindow(const WindowRequest& request) {
         }
         frame(session, host->fonts(), host->fullScale());
         autosave.look(session.state, ImGui::GetTime());
+        recent.look(session.state);
         if (session.state.uiScale != host->uiScale()) host->setUiScale(session.state.uiScale);
     });
     return kExitSuccess;

@@ -53,7 +53,8 @@ bool cover(const Widget& a, const Widget& b) {
 
 /// A widget that covers others on purpose.
 bool isOverlay(const Widget& widget) {
-    return widget.window == "Keys" || widget.window == "Message";
+    return widget.window == "Keys" || widget.window == "Message" || widget.window == "Commands" ||
+           widget.window == "Files";
 }
 
 std::string place(const Widget& widget) {
@@ -198,6 +199,24 @@ TEST_CASE("the help, a banner and a refused run are laid out without a fault") {
     checkEverywhere(screens, opened(), "banner", [](AppState& state) {
         apply(state,
               OpenFile{"/a/folder with a rather long name/and another one inside/that is not there.toml"});
+    });
+    checkEverywhere(screens, opened(), "commands", [](AppState& state) {
+        apply(state, UnlockAll{true});
+        apply(state, ShowPalette{true});
+    });
+    checkEverywhere(screens, opened(), "commands found", [](AppState& state) {
+        apply(state, ShowPalette{true});
+        apply(state, SetQuery{"a"});
+    });
+    checkEverywhere(screens, opened(), "no such command", [](AppState& state) {
+        apply(state, ShowPalette{true});
+        apply(state, SetQuery{std::string(300, 'q')});
+    });
+    checkEverywhere(screens, opened(), "files", [](AppState& state) {
+        remember(state.recent,
+                 "/a/folder with a rather long name/and another one inside/that is not there.toml");
+        apply(state, ShowFiles{true});
+        apply(state, OpenFile{"/a/folder with a rather long name/and another one/missing.toml"});
     });
     checkEverywhere(screens, opened(), "too many rays", [](AppState& state) {
         Settings settings = state.settings;

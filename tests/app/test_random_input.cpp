@@ -114,7 +114,7 @@ Command randomEditing(Dice& dice, const AppState& state) {
         case 1:
             return SetTool{kTools[dice.below(static_cast<std::uint32_t>(kTools.size()))].value};
         case 2:
-            return SelectThing{Thing{static_cast<ThingKind>(dice.below(3)), dice.below(6)}};
+            return SelectThings{Thing{static_cast<ThingKind>(dice.below(3)), dice.below(6)}};
         case 3:
             return Undo{};
         case 4:

@@ -213,9 +213,10 @@ void screen(Offer& offer) {
     offer.addIf(state.uiScale != 1.0f, "Letters as they were", "Ctrl 0", SetUiScale{1.0f});
     offer.add(state.canvasHidden ? "Low screen: the canvas" : "Low screen: code or plot for the canvas",
               keyOf(KeyRow::panes, 1), HideCanvas{!state.canvasHidden});
-    offer.add("Small screen: the lesson", {}, ShowPane{Pane::lesson});
-    offer.add("Small screen: the stage", {}, ShowPane{Pane::stage});
-    offer.add("Small screen: the controls", {}, ShowPane{Pane::controls});
+    for (const auto& [pane, name] : {std::pair{Pane::lesson, "Small screen: the lesson"},
+                                     std::pair{Pane::stage, "Small screen: the stage"},
+                                     std::pair{Pane::controls, "Small screen: the controls"}})
+        offer.addIf(state.pane != pane, name, {}, ShowPane{pane});
     offer.addIf(!state.banner.empty(), "Dismiss the message", "Escape", DismissBanner{});
     offer.add("Help: all keys", "F1", ToggleHelp{});
 }

@@ -221,11 +221,12 @@ void saving(const Ui& ui) {
     tooltip(
         "where the scene is saved; a name that ends with .toml. Another file that is there already is "
         "written over only when you save twice.");
-    if (button(ui.widgets, isEdited(ui.state) ? "Save*" : "Save", {part(2), 0}))
+    const float half = part(2);
+    if (button(ui.widgets, isEdited(ui.state) ? "Save*" : "Save", {half, 0}))
         ui.commands.push_back(SaveScene{editing.path});
     tooltip("write the scene file (Ctrl S)");
-    sameLineIfFits("Open ...", part(2));
-    if (button(ui.widgets, "Open ...", {part(2), 0})) ui.commands.push_back(ShowFiles{true});
+    sameLineIfFits("Open ...", half);
+    if (button(ui.widgets, "Open ...", {half, 0})) ui.commands.push_back(ShowFiles{true});
     tooltip("a lesson or a scene; the last files come first (Ctrl O)");
     if (button(ui.widgets, "Done", {part(1), 0})) ui.commands.push_back(SetEditing{false});
     tooltip("back to the lesson, in the changed scene; Reset brings the lesson's own back");

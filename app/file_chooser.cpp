@@ -82,13 +82,16 @@ std::vector<FileChoice> choicesOf(const FileChooser& chooser) {
     std::vector<FileChoice> found;
     std::vector<int> scores;
     const FuzzyQuery wanted(typed);
-    for (const FileChoice& choice : chooser.inFolder) {
-        const auto score = fuzzyScore(wanted, choice.name);
-        if (!score) continue;
+    const auto look = [&](const FileChoice& choice, const std::string& name) {
+        const auto score = fuzzyScore(wanted, name);
+        if (!score) return;
         const auto place = std::upper_bound(scores.begin(), scores.end(), *score, std::greater<>());
         found.insert(found.begin() + (place - scores.begin()), choice);
         scores.insert(place, *score);
-    }
+    };
+    for (const FileChoice& choice : chooser.inFolder) look(choice, choice.name);
+    for (const FileChoice& choice : chooser.recent)
+        if (choice.path.parent_path() != chooser.folder) look(choice, choice.path.filename().string());
     return found;
 }
 

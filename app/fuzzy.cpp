@@ -8,7 +8,7 @@
 namespace halfdisk {
 namespace {
 
-constexpr int kLetter = 1, kRun = 7, kWordStart = 8, kTextStart = 4, kInOrder = 10, kNone = -1'000'000'000;
+constexpr int kLetter = 1, kRun = 10, kWordStart = 8, kTextStart = 4, kInOrder = 10, kNone = -1'000'000'000;
 
 struct Letter {
     char32_t folded;

@@ -9,6 +9,13 @@
 namespace halfdisk {
 namespace {
 
+/// Of the keys, pixels.
+float widestKeys(const Ui& ui) {
+    float width = 0.0f;
+    for (const KeyHelp& key : kKeyHelp) width = std::max(width, textSize(key.keys, ui.fonts.strong).x);
+    return width;
+}
+
 /// Of the meanings in these rows, pixels.
 float longest(std::size_t first, std::size_t last) {
     float width = 0.0f;
@@ -28,7 +35,7 @@ void helpOverlay(const Ui& ui) {
                      ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * ui.scale});
     const std::size_t half = (kKeyHelp.size() + 1) / 2;
-    const float indent = 9.5f * ImGui::GetFontSize(), gap = 2 * ImGui::GetFontSize();
+    const float gap = 1.5f * ImGui::GetFontSize(), indent = widestKeys(ui) + gap;
     const bool beside =
         indent + longest(0, half) + gap + indent + longest(half, kKeyHelp.size()) + gap < 0.95f * screen.x;
     ImGui::BeginGroup();

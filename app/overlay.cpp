@@ -21,10 +21,12 @@ void beginShade(const Ui& ui, const char* window) {
     // Only once: it would cancel what is asked of the field.
     const ImGuiWindow* front = ImGui::GetCurrentContext()->NavWindow;
     if (front == nullptr || front->RootWindow->Name != std::string_view(window)) ImGui::SetNextWindowFocus();
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
     ImGui::Begin(window, nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                      ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollWithMouse |
                      ImGuiWindowFlags_NoNav);
+    ImGui::PopStyleVar();
     ImGui::GetWindowDrawList()->AddRectFilled({0, 0}, screen, withOpacity(ui.palette.ink, 0.35f));
 }
 
@@ -47,8 +49,13 @@ ListOverlay beginListOverlay(const Ui& ui, const ListRequest& request) {
     overlay.note = request.note;
     beginShade(ui, request.window);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    // Whole rows only.
+    const float line = ImGui::GetFrameHeight();
+    const float footer = request.note.empty() ? 0.0f : ImGui::GetTextLineHeightWithSpacing();
+    const float around = 2 * ImGui::GetStyle().WindowPadding.y + ImGui::GetFrameHeightWithSpacing() + footer;
+    const float most = std::min(0.9f * screen.y, kMostHeight * ui.scale);
     const ImVec2 size{std::floor(std::min(0.94f * screen.x, kMostWidth * ui.scale)),
-                      std::floor(std::min(0.9f * screen.y, kMostHeight * ui.scale))};
+                      around + line * std::max(std::floor((most - around) / line), 1.0f)};
     const ImVec2 corner{std::floor((screen.x - size.x) / 2), std::floor((screen.y - size.y) / 3)};
     ImGui::SetCursorScreenPos(corner);
     ImGui::PushStyleColor(ImGuiCol_ChildBg, ui.palette.panel);
@@ -72,8 +79,6 @@ ListOverlay beginListOverlay(const Ui& ui, const ListRequest& request) {
                                             request.hint.data(), request.hint.data() + request.hint.size());
     }
 
-    const float line = ImGui::GetFrameHeight();
-    const float footer = request.note.empty() ? 0.0f : ImGui::GetTextLineHeightWithSpacing();
     beginChild("list", {0, -footer}, false);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
     const float height = ImGui::GetWindowHeight();

@@ -46,7 +46,8 @@ int runWindow(const WindowRequest& request) {
     Autosave autosave(stateFolder(), static_cast<long>(getpid()));
     if (const auto left = autosave.recovered())
         session.state.banner = fmt::format(
-            "The program ended with unsaved changes. They are in {}: drop that file on this window.",
+            "The program ended with unsaved changes. They are in {}: drop that file on this window, or open "
+            "it (Ctrl O).",
             left->string());
     RecentFiles recent(stateFolder());
     if (!request.rules.kiosk) session.state.recent = recent.read();

@@ -136,6 +136,10 @@ TEST_CASE("the last files come first in the list, the missing ones told from the
     CHECK(choices[1].path == files.folder / "scenes/field.toml");
     CHECK(choices[1].isMissing);
     CHECK_FALSE(choices[2].isRecent);
+    rig.session.state.files.path += "min";  // a name finds the last files wherever they are
+    REQUIRE(choicesOf(rig.state().files).size() == 1);
+    CHECK(choicesOf(rig.state().files)[0].path == files.folder / "mine.toml");
+    rig.apply(ShowFiles{true});
     rig.driver.frames(3);
     rig.driver.click("Files/" + (files.folder / "mine.toml").string());
     CHECK_FALSE(rig.state().files.shown);

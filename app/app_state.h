@@ -72,8 +72,9 @@ struct AppState {
     FileChooser files;
     std::vector<std::filesystem::path> recent;  ///< opened or saved, the last one first
     float uiScale = 1.0f;
-    std::string banner;  ///< a message about something that went wrong; the last good state stays
-    int litLine = 0;     ///< of the code panel: the line of the listing that it last scrolled to; 0: none yet
+    std::string toClipboard;  ///< until the frame has put it there
+    std::string banner;       ///< a message about something that went wrong; the last good state stays
+    int litLine = 0;  ///< of the code panel: the line of the listing that it last scrolled to; 0: none yet
 
     // the light
     std::uint64_t questionId = 0;  ///< grows whenever scene, P, settings or wanted pictures change

@@ -97,7 +97,7 @@ void continueBand(const Canvas& canvas, Vec2 place) {
     const Editing& editing = canvas.ui.state.editing;
     Selection selected = editing.before;
     for (const Thing thing : within(canvas.ui.state.scene->description, editing.grabbed, place).things)
-        selected.add(thing);
+        if (!editing.before.has(thing)) selected.things.push_back(thing);
     canvas.ui.commands.push_back(SelectThings{selected});
 }
 

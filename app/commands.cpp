@@ -6,6 +6,7 @@
 
 #include "app/edit_commands.h"
 #include "app/opening.h"
+#include "app/share_text.h"
 #include "core/overload.h"
 
 namespace halfdisk {
@@ -83,6 +84,7 @@ void applyUnchecked(AppState& state, const Command& command) {
                 });
             },
             [&](const OpenShared& c) { attempt(state, [&](AppState& next) { showShared(next, c.text); }); },
+            [&](CopyState) { state.toClipboard = shareText(state); },
             [&](Reload) { attempt(state, reload); },
             [&](const SetSettings& c) {
                 if (state.settings == c.settings) return;

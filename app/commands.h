@@ -27,7 +27,8 @@ struct OpenFile {
 struct OpenShared {
     std::string text;  ///< see share_text.h
 };
-struct Reload {};  ///< read the files again; the step stays
+struct CopyState {};  ///< to the clipboard, see share_text.h
+struct Reload {};     ///< read the files again; the step stays
 struct SetSettings {
     Settings settings;
 };
@@ -155,7 +156,7 @@ struct SelectFile {
 struct DismissBanner {};
 
 using Command =
-    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, Reload,
+    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, CopyState, Reload,
                  SetSettings, SetMakers, SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected,
                  AddNew, MoveSelected, SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene,
                  Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine,

@@ -15,7 +15,7 @@
 namespace halfdisk {
 namespace {
 
-constexpr std::size_t kMostWalls = 64, kMostThings = 64;  // of a scene, by name
+constexpr std::size_t kMostWalls = 64, kMostThings = 200;  // of a scene, by name
 
 /// Adds what may be done to a list.
 struct Offer {
@@ -94,13 +94,17 @@ void editing(Offer& offer) {
     }
     offer.add(editing.snap ? "Do not snap" : "Snap to ends and grid", {}, SetSnap{!editing.snap});
     const SceneDescription& scene = state.scene->description;
-    const std::vector<Thing> things = thingsOf(scene);
-    const std::vector<std::string> names = namesOf(scene);
+    const Selection things = everything(scene);
     offer.addIf(things.size() > editing.selected.size(), "Select all", keyOf(KeyRow::choosing),
-                SelectThings{everything(scene)});
-    offer.addIf(!editing.selected.empty(), "Select nothing", {}, SelectThings{});
-    for (std::size_t i = 0; i < std::min(things.size(), kMostThings); ++i)
-        offer.add(fmt::format("Select {}", names[i]), {}, SelectThings{things[i]});
+                SelectThings{things});
+    offer.addIf(!editing.selected.empty(), "Select nothing", state.banner.empty() ? "Escape" : "",
+                SelectThings{});
+    if (things.size() <= kMostThings) {
+        const std::vector<std::string> names = namesOf(scene);
+        for (std::size_t i = 0; i < things.size(); ++i)
+            offer.addIf(editing.selected.single() != things.things[i], fmt::format("Select {}", names[i]), {},
+                        SelectThings{things.things[i]});
+    }
     if (!serves(EditAct::flip, editing.selected)) return;  // no shape
     offer.add("Material: default", {}, SetMaterial{});
     for (const NamedMaterial& material : scene.materials)
@@ -207,6 +211,7 @@ void estimatorChoices(Offer& offer) {
 
 void screen(Offer& offer) {
     const AppState& state = offer.state;
+    offer.add("Copy all that is seen as a text", keyOf(KeyRow::share), CopyState{});
     offer.add("Fit the scene into the canvas", keyOf(KeyRow::fit), FitCamera{});
     offer.add("Everything larger", keyOf(KeyRow::size), SetUiScale{state.uiScale * 1.25f});
     offer.add("Everything smaller", keyOf(KeyRow::size, 1), SetUiScale{state.uiScale / 1.25f});

@@ -16,7 +16,8 @@ namespace halfdisk {
 enum class Tool : std::uint8_t { select, wall, box, circle, lens, lamp, bulb, sun, eye };
 
 inline constexpr std::array<Named<Tool>, 9> kTools{{
-    {Tool::select, "Select", "click a thing; drag it, or one of its handles"},
+    {Tool::select, "Select",
+     "click a thing; drag it, or one of its handles; Shift: several, also by a rectangle"},
     {Tool::wall, "Wall", "drag from end to end; its front is on the left"},
     {Tool::box, "Box", "drag from corner to corner"},
     {Tool::circle, "Circle", "drag from the middle to the rim"},

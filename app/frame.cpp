@@ -203,6 +203,8 @@ void frame(Session& session, const Fonts& fonts, float uiScale) {
     }
 
     for (const Command& command : commands) apply(state, command);
+    if (!state.toClipboard.empty()) ImGui::SetClipboardText(state.toClipboard.c_str());
+    state.toClipboard.clear();
     dropForeignAnswer(state);
     askLight(session);
 }

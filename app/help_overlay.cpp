@@ -54,6 +54,11 @@ void helpOverlay(const Ui& ui) {
     ImGui::EndGroup();
     ImGui::PopStyleVar();
     if (button(ui.widgets, "Close")) ui.commands.push_back(ToggleHelp{});
+    sameLineIfFits("Find by name ...");
+    if (button(ui.widgets, "Find by name ...")) {
+        ui.commands.push_back(ToggleHelp{});
+        ui.commands.push_back(ShowPalette{true});
+    }
     ImGui::End();
 }
 

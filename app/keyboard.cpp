@@ -140,7 +140,7 @@ void editKeys(const Ui& ui) {
 
 /// With Ctrl held.
 void shareKeys(const Ui& ui) {
-    if (keyPressed(Key::c, false)) ImGui::SetClipboardText(shareText(ui.state).c_str());
+    if (keyPressed(Key::c, false)) ui.commands.push_back(CopyState{});
     if (!keyPressed(Key::v, false)) return;
     const char* text = ImGui::GetClipboardText();
     if (text != nullptr && isShareText(text)) ui.commands.push_back(OpenShared{text});
@@ -184,8 +184,10 @@ void viewKeys(const Ui& ui) {
     }
     if (characterTyped('?') || keyPressed(Key::f1, false)) ui.commands.push_back(ToggleHelp{});
     if (keyPressed(Key::escape, false)) {
+        const bool covered = ui.state.helpShown || !ui.state.banner.empty();
         if (ui.state.helpShown) ui.commands.push_back(ToggleHelp{});
         if (!ui.state.banner.empty()) ui.commands.push_back(DismissBanner{});
+        if (!covered && ui.state.editing.on) ui.commands.push_back(SelectThings{});
     }
 }
 

@@ -1,6 +1,7 @@
 #include "lessons/selection.h"
 
 #include <algorithm>
+#include <array>
 
 #include "lessons/shape_edges.h"
 #include "lessons/shape_edit.h"
@@ -78,8 +79,15 @@ Selection within(const SceneDescription& scene, Vec2 corner, Vec2 opposite) {
 
 Selection existing(const SceneDescription& scene, const Selection& things) {
     Selection there;
-    for (const Thing thing : things.things)
-        if (exists(scene, thing) && !there.has(thing)) there.things.push_back(thing);
+    std::array<std::vector<bool>, 3> seen;  // in one go, for they may be very many
+    for (const Thing thing : things.things) {
+        if (!exists(scene, thing)) continue;
+        std::vector<bool>& ofKind = seen[static_cast<std::size_t>(thing.kind)];
+        if (ofKind.size() <= thing.index) ofKind.resize(thing.index + 1);
+        if (ofKind[thing.index]) continue;
+        ofKind[thing.index] = true;
+        there.things.push_back(thing);
+    }
     return there;
 }
 

@@ -241,6 +241,41 @@ TEST_CASE("a scene without a lesson is laid out without a fault") {
     }
 }
 
+TEST_CASE("the panel for changing a scene is laid out without a fault") {
+    const auto screens = hosts();
+    const std::pair<const char*, std::function<void(AppState&)>> kinds[] = {
+        {"the sky",
+         [](AppState& state) {
+             EditScene edit{state.scene->description, {}, false};
+             edit.scene.environment.light = Environment(Rgb(1.0));
+             edit.scene.environment.light.strip.assign(9, Rgb(0.25, 0.5, 1.0));
+             apply(state, edit);
+         }},
+        {"one thing",
+         [](AppState& state) {
+             apply(state, SelectThings{Thing{ThingKind::shape, 0}});
+         }},
+        {"several",
+         [](AppState& state) { apply(state, SelectThings{everything(state.scene->description)}); }}};
+    for (const auto& kind : kinds) {
+        Session session;
+        session.state = openLesson(testLessons(), LessonRef{"controls", 1});
+        apply(session.state, SetEditing{true});
+        kind.second(session.state);
+        askLight(session);
+        session.light.waitUntilIdle();
+        for (std::size_t i = 0; i < std::size(kScreens); ++i)
+            for (const Arrangement& arrangement : kArrangements) {
+                show(session, *screens[i], kScreens[i], arrangement);
+                Faults found;
+                findUnreadable(session, kScreens[i], found);
+                for (const std::string& fault : found)
+                    CHECK_MESSAGE(false, kind.first, " at ", kScreens[i].width, ", scale ", kScreens[i].scale,
+                                  ": ", fault);
+            }
+    }
+}
+
 TEST_CASE("the help fits on every screen or scrolls: its last row and Close can be reached") {
     for (const Screen& screen : kScreens) {
         CAPTURE(screen.width);

@@ -229,6 +229,7 @@ void screen(Offer& offer) {
 void lessons(Offer& offer) {
     for (const LessonEntry& entry : offer.state.lessons) {
         if (!entry.error.empty()) continue;
+        offer.add(fmt::format("Lesson {}: {}", entry.number, entry.title), {}, GoTo{entry.slug, 0});
         for (std::size_t step = 0; step < entry.stepTitles.size(); ++step)
             offer.add(fmt::format("{}.{} {} \u203a {}", entry.number, step + 1, entry.title,
                                   entry.stepTitles[step]),

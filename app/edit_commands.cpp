@@ -49,9 +49,17 @@ bool hasComments(const std::filesystem::path& file) {
     return false;
 }
 
-bool isWithin(const std::filesystem::path& file, const std::filesystem::path& folder) {
+/// Of the scene that is shown; empty: none.
+std::filesystem::path openedFile(const AppState& state) {
+    return state.sceneOverride.empty() && state.lesson ? state.lesson->scenePath : state.sceneOverride;
+}
+
+/// Those files stay as they are unless somebody insists.
+bool isOfCourse(const AppState& state) {
+    if (state.sceneOverride.empty()) return true;
     std::error_code none;
-    const std::filesystem::path way = std::filesystem::relative(file, folder, none);
+    const std::filesystem::path way =
+        std::filesystem::relative(state.sceneOverride, state.lessonsFolder, none);
     return !none && !way.empty() && *way.begin() != "..";
 }
 
@@ -79,9 +87,7 @@ SceneDescription withoutFarImage(SceneDescription scene, const std::filesystem::
 }
 
 std::filesystem::path usualFolder(const AppState& state) {
-    const bool ofLesson = state.lesson && state.sceneOverride.empty();
-    const std::filesystem::path folder =
-        (ofLesson ? state.lesson->scenePath : state.sceneOverride).parent_path();
+    const std::filesystem::path folder = openedFile(state).parent_path();
     return folder.empty() ? std::filesystem::path(".") : folder;
 }
 
@@ -206,7 +212,7 @@ void saveEdited(AppState& state, const SaveScene& save) {
     }
     std::error_code none;
     const bool there = std::filesystem::exists(file, none), comments = there && hasComments(file);
-    const bool isOwn = editing.savedAs == save.path || editing.origin == save.path;
+    const bool isOwn = editing.savedAs == save.path || (editing.origin == save.path && !isOfCourse(state));
     if (!editing.confirmed && (comments || (there && !isOwn))) {
         editing.confirmed = true;
         editing.message = fmt::format("{} {}. Save again to write over it.", save.path,
@@ -228,15 +234,12 @@ void saveEdited(AppState& state, const SaveScene& save) {
 
 void nameFile(AppState& state) {
     Editing& editing = state.editing;
-    const bool ofLesson = state.sceneOverride.empty() && state.lesson;
-    const std::filesystem::path opened = ofLesson ? state.lesson->scenePath : state.sceneOverride;
+    const std::filesystem::path opened = openedFile(state);
     if (!editing.path.empty() && editing.origin == opened.string()) return;
     const std::string stem = opened.stem().string();
-    const bool ofCourse =
-        ofLesson || opened.empty() || isWithin(opened, state.lessonsFolder);  // which stays as it is
-    editing.path = !ofCourse      ? opened.string()
-                   : stem.empty() ? std::string("scene.toml")
-                                  : "my_" + stem + ".toml";
+    editing.path = !isOfCourse(state) ? opened.string()
+                   : stem.empty()     ? "scene.toml"
+                                      : "my_" + stem + ".toml";
     editing.origin = opened.string();
     editing.savedAs.clear();
     editing.confirmed = false;

@@ -159,7 +159,7 @@ void historyKeys(const Ui& ui) {
         ui.commands.push_back(SelectThings{everything(ui.state.scene->description)});
 }
 
-/// With Ctrl held.
+/// With Ctrl held; also out of a text field.
 void openKeys(const Ui& ui) {
     if (keyPressed(Key::k, false)) ui.commands.push_back(ShowPalette{true});
     if (keyPressed(Key::o, false)) ui.commands.push_back(ShowFiles{true});
@@ -195,6 +195,7 @@ void viewKeys(const Ui& ui) {
 
 void keyboard(const Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyCtrl && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) openKeys(ui);
     if (io.WantTextInput || ImGui::IsAnyItemActive()) return;
     if (io.KeyCtrl) {
         if (keyPressed(Key::equal)) ui.commands.push_back(SetUiScale{ui.state.uiScale * 1.25f});
@@ -203,7 +204,6 @@ void keyboard(const Ui& ui) {
         panKeys(ui);
         historyKeys(ui);
         shareKeys(ui);
-        openKeys(ui);
         return;
     }
     if (!nudgeKeys(ui)) {

@@ -14,9 +14,11 @@ struct Selection {
     std::vector<Thing> things;
 
     Selection() = default;
-    Selection(std::nullopt_t) {}                                                       // NOLINT: nothing
-    Selection(Thing one) : things{one} {}                                              // NOLINT: one thing
-    Selection(std::optional<Thing> one) : things(one ? std::vector{*one} : things) {}  // NOLINT: or none
+    Selection(std::nullopt_t) {}           // NOLINT: nothing
+    Selection(Thing one) : things{one} {}  // NOLINT: one thing
+    Selection(std::optional<Thing> one) {  // NOLINT: or none
+        if (one) things.push_back(*one);
+    }
 
     bool empty() const { return things.empty(); }
     std::size_t size() const { return things.size(); }

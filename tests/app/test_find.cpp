@@ -222,6 +222,21 @@ TEST_CASE("an entry is clicked, and a click beside the list closes it and does n
     CHECK(rig.state().step == 1);
 }
 
+TEST_CASE("the list opens out of a text field, too, and the field keeps what it had") {
+    Rig rig("controls:1");
+    rig.driver.click("Stage/Edit");
+    rig.driver.frames(2);
+    rig.driver.click("Controls/file");
+    rig.driver.pressKey(Key::end);
+    const std::string before = rig.state().editing.path;
+    open(rig);
+    rig.driver.typeText("tool wall");
+    CHECK(rig.state().palette.query == "tool wall");
+    rig.driver.pressKey(Key::enter);
+    CHECK(rig.state().editing.tool == Tool::wall);
+    CHECK(rig.state().editing.path == before);
+}
+
 TEST_CASE("keys of the program are letters while the list is open") {
     Rig rig("controls:2");
     const Seen before = seen(rig.state());
@@ -411,6 +426,7 @@ TEST_CASE("what one wants is found by what one would type") {
     CHECK(best(state, "sco") == "Sampler: cosine");
     CHECK(best(state, "next seed") == "Next seed");
     CHECK(best(state, "help") == "Help: all keys");
+    CHECK(best(state, "caustic") == "Lesson 13: The caustic");
     CHECK(best(state, "edit") == "Edit the scene");
     CHECK(best(state, "fit") == "Fit the scene into the canvas");
     CHECK(best(state, "").rfind("Next step", 0) == 0);

@@ -234,3 +234,53 @@ TEST_CASE("saving under another name leaves the first file, and asks before it w
     rig.driver.pressKey(Key::ctrl, Key::s);
     CHECK(loadScene(third) == rig.state().scene->description);
 }
+
+TEST_CASE(
+    "a file of one's own is saved under its name at once, a course's under another or when one insists") {
+    const LessonsCopy course, home;
+    Rig rig(openScene(course.folder, home.folder / "scenes/field.toml"));
+    rig.apply(SetEditing{true});
+    rig.apply(SelectThings{Thing{ThingKind::shape, 0}});
+    CHECK(rig.state().editing.path == (home.folder / "scenes/field.toml").string());
+    rig.apply(ActOnSelected{EditAct::copy});
+    rig.apply(SaveScene{rig.state().editing.path});  // it has comments, which is told
+    rig.apply(SaveScene{rig.state().editing.path});
+    rig.apply(ActOnSelected{EditAct::copy});
+    rig.apply(SaveScene{rig.state().editing.path});
+    CHECK(loadScene(home.folder / "scenes/field.toml") == rig.state().scene->description);
+
+    const SceneDescription mine = rig.state().scene->description;
+    const Selection selected = rig.state().editing.selected;
+    const std::size_t steps = rig.state().editing.history.past.size();
+    rig.apply(Reload{});  // as the window does when it sees that the file has changed
+    CHECK(rig.state().editing.selected == selected);
+    CHECK(rig.state().editing.history.past.size() == steps);
+
+    rig.apply(OpenFile{course.folder / "scenes/field.toml"});
+    CHECK(rig.state().editing.path == "my_field.toml");
+    const auto plain = course.folder / "scenes/plain.toml";
+    saveScene(mine, plain);  // without comments
+    rig.apply(OpenFile{plain});
+    rig.apply(SelectThings{Thing{ThingKind::shape, 0}});
+    rig.apply(ActOnSelected{EditAct::copy});
+    rig.apply(SaveScene{plain.string()});
+    CHECK(loadScene(plain) == mine);
+    CHECK(rig.state().editing.message.find("is there already") != std::string::npos);
+}
+
+TEST_CASE("what was saved is not replaced by the next scene that is opened") {
+    const LessonsCopy course, home;
+    Rig rig(openScene(course.folder, home.folder / "scenes/field.toml"));
+    rig.apply(SetEditing{true});
+    const auto mine = home.folder / "mine.toml";
+    rig.apply(SaveScene{mine.string()});
+    const std::string saved = bytesOf(mine);
+    for (const Command& command :
+         {Command(OpenFile{home.folder / "scenes/box.toml"}), Command(GoTo{"controls", 0})}) {
+        rig.apply(SetScenePath{mine.string()});
+        rig.apply(command);
+        CHECK(rig.state().editing.path != mine.string());
+        rig.apply(SaveScene{mine.string()});  // asked for by name: it is told first
+        CHECK(bytesOf(mine) == saved);
+    }
+}

@@ -193,11 +193,26 @@ void views(Offer& offer) {
     }
 }
 
+/// Parameters with named choices; the others are numbers, which are typed.
+void paramChoices(Offer& offer, const Makers& now) {
+    const EstimatorInfo& info = *findEstimator(now.first->estimator);
+    for (std::size_t i = 0; i < info.params.size(); ++i)
+        for (std::size_t k = 0; k < info.params[i].choices.size(); ++k) {
+            Makers makers = now;
+            makers.first->params[i] = static_cast<double>(k);
+            offer.addIf(now.first->params[i] != static_cast<double>(k),
+                        fmt::format("{}: {} {}", info.id, info.params[i].name, info.params[i].choices[k]), {},
+                        SetMakers{makers});
+        }
+}
+
 void estimatorChoices(Offer& offer) {
     const AppState& state = offer.state;
     const std::optional<View> view = state.mainPicture();
-    if (!view || !state.isUnlocked(Control::estimator)) return;
+    if (!view) return;
     const Makers now{state.makers.first ? *state.makers.first : usualMaker(*view), state.makers.second};
+    if (state.isUnlocked(Control::params)) paramChoices(offer, now);
+    if (!state.isUnlocked(Control::estimator)) return;
     for (const EstimatorInfo* info : estimators())
         offer.addIf(now.first->estimator != info->id, fmt::format("Estimator: {}", info->id), {},
                     SetMakers{{makerOf(info->id), now.second}});

@@ -12,6 +12,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostLooked = 50'000;  // entries of a folder
+
 /// What a shell would make of `~/`.
 fs::path meant(const std::string& typed) {
     const char* home = std::getenv("HOME");
@@ -30,8 +32,9 @@ fs::path folderOf(const std::string& typed) {
 std::vector<FileChoice> listFolder(const fs::path& folder) {
     std::vector<FileChoice> choices;
     std::error_code failed;
-    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
-         entry.increment(failed)) {
+    std::size_t looked = 0;
+    for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end && looked < kMostLooked;
+         entry.increment(failed), ++looked) {
         const std::string name = entry->path().filename().string();
         if (name.empty() || name.front() == '.' || choices.size() >= kMostListed) continue;
         std::error_code none;

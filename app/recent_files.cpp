@@ -15,7 +15,7 @@ constexpr std::uintmax_t kMostBytes = 100'000;
 
 }  // namespace
 
-std::vector<std::filesystem::path> RecentFiles::read() const {
+std::vector<std::filesystem::path> RecentFiles::onDisk() const {
     std::vector<std::filesystem::path> files;
     std::string text;
     try {
@@ -41,7 +41,7 @@ void RecentFiles::look(AppState& state) {
         if (!known && all.size() < kMostRecent) all.push_back(path);
     };
     for (const auto& path : state.recent) add(path);
-    for (const auto& path : read()) add(path);
+    for (const auto& path : onDisk()) add(path);
     state.recent = kept_ = all;
     std::string text;
     for (const auto& path : all)

@@ -324,6 +324,32 @@ TEST_CASE("what the step locks is not offered, and Unlock all offers it") {
     CHECK(offers(state, "Undo"));
 }
 
+TEST_CASE("estimators and their choices are offered where they are unlocked and a picture is shown") {
+    AppState state = openLesson(testLessons(), LessonRef{"controls", 1});
+    CHECK_FALSE(offersKind(state, "Estimator:"));
+    apply(state, UnlockAll{true});
+    apply(state, SetView{View::field, false});
+    apply(state, SetView{View::eye, false});
+    apply(state, SetView{View::profile, false});
+    CHECK_FALSE(offersKind(state, "Estimator:"));
+    apply(state, SetView{View::field, true});
+    apply(state, SetMakers{{makerOf("path"), std::nullopt}});
+    CHECK(offers(state, "Estimator: light"));
+    CHECK_FALSE(offers(state, "Estimator: path"));
+    std::size_t choices = 0;
+    for (const Doable& one : doables(state)) {
+        if (one.name.rfind("path: ", 0) != 0) continue;
+        AppState after = state;
+        apply(after, one.command);
+        CHECK_FALSE(after.makers == state.makers);
+        ++choices;
+    }
+    CHECK(choices > 0);
+    apply(state, SetMakers{{makerOf("path"), makerOf("light")}});
+    CHECK(offers(state, "Second estimator: path"));
+    CHECK(offers(state, "Compare: one estimator again"));
+}
+
 TEST_CASE("what the class rules lock or hide is not offered") {
     ClassRules rules;
     addLock(rules, "samples=5");

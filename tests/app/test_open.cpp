@@ -173,9 +173,15 @@ TEST_CASE("the list of last files outlives the program, and two windows share it
     second.look(two);
     CHECK(RecentFiles(keep).read() == std::vector<std::filesystem::path>{files.folder / "scenes/field.toml",
                                                                          files.folder / "scenes/box.toml"});
-    const std::string written = bytesOf(first.file());
+    const auto written = std::filesystem::last_write_time(first.file());
     second.look(two);
-    CHECK(bytesOf(first.file()) == written);
+    CHECK(std::filesystem::last_write_time(first.file()) == written);
+    RecentFiles third(keep);  // the next start: nothing new
+    AppState three = openLesson(files.folder, LessonRef{"controls", 1});
+    three.recent = third.read();
+    std::filesystem::remove(first.file());
+    third.look(three);
+    CHECK_FALSE(std::filesystem::exists(first.file()));
 }
 
 TEST_CASE("a list that is damaged, or cannot be written, stops nobody") {

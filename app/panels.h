@@ -15,6 +15,8 @@ void eyeStrip(const Ui& ui, float width);
 float eyeStripHeight(const Ui& ui);
 /// In place of the settings while the scene is being changed.
 void editPanel(const Ui& ui);
+/// A part of it: what is selected, or else the sky.
+void inspector(const Ui& ui);
 /// What makes the pictures, and what they cost.
 void makersPanel(const Ui& ui);
 void profilePlot(const Ui& ui, ImVec2 size);

@@ -10,6 +10,7 @@
 #include "app/camera.h"
 #include "app/class_rules.h"
 #include "app/editing.h"
+#include "app/file_chooser.h"
 #include "app/light_answer.h"
 #include "lessons/lesson_list.h"
 
@@ -25,10 +26,17 @@ struct Playback {
 };
 
 /// What the pointer holds on the canvas.
-enum class Grip : std::uint8_t { none, point, canvas, split, edit };
+enum class Grip : std::uint8_t { none, point, canvas, split, edit, band };
 
 /// Which column a small screen shows; a large one shows all three.
 enum class Pane : std::uint8_t { lesson, stage, controls };
+
+/// The list of all that can be done, while it is open.
+struct PaletteState {
+    bool shown = false;
+    std::string query;
+    std::size_t selected = 0;  ///< of those that the query finds
+};
 
 struct AppState {
     // the library
@@ -61,8 +69,12 @@ struct AppState {
     bool canvasHidden = false;  ///< on a low screen: the code or plot takes the canvas' place
     bool answerShown = false;
     bool helpShown = false;
+    PaletteState palette;
+    FileChooser files;
+    std::vector<std::filesystem::path> recent;  ///< opened or saved, the last one first
     float uiScale = 1.0f;
     std::string language;       ///< of the window and the lessons; empty: English
+    std::string toClipboard;    ///< until the frame has put it there
     std::string banner;         ///< a message about something that went wrong; the last good state stays
     std::string notice;         ///< a message about something that was done
     bool exportWished = false;  ///< what is seen is to be written to files as soon as its light is complete
@@ -84,11 +96,25 @@ struct AppState {
         return unlockAll || !current || current->unlock == control;
     }
     bool shows(View view) const { return show.has(view); }
+    /// The picture that the estimators' numbers are about: the largest one that is shown.
+    std::optional<View> mainPicture() const {
+        for (const View view : {View::field, View::eye, View::profile})
+            if (shows(view)) return view;
+        return std::nullopt;
+    }
     /// Of the run that is stepped through.
     std::size_t eventCount() const {
         if (answer && answer->pathRun) return answer->pathRun->record.events.size();
         return answer && answer->record ? answer->record->events.size() : 0;
     }
 };
+
+/// Into state.lessons, which are not none: after the last one comes the first.
+inline std::size_t nextLessonIndex(const AppState& state) {
+    for (std::size_t i = 0; i < state.lessons.size(); ++i)
+        if (state.lesson && state.lessons[i].slug == state.lesson->slug)
+            return (i + 1) % state.lessons.size();
+    return 0;
+}
 
 }  // namespace halfdisk

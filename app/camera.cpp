@@ -1,6 +1,7 @@
 #include "app/camera.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace halfdisk {
 namespace {
@@ -60,6 +61,14 @@ Camera zoomed(const Camera& camera, const CanvasRect& canvas, ImVec2 screen, dou
     result.pixelsPerMeter = std::clamp(camera.pixelsPerMeter * factor, 1e-6, 1e12);
     result.center = fixed + (camera.center - fixed) * (camera.pixelsPerMeter / result.pixelsPerMeter);
     return result;
+}
+
+double roundStep(const Camera& camera, double pixels) {
+    const double wanted = pixels / camera.pixelsPerMeter;
+    const double power = std::pow(10.0, std::floor(std::log10(wanted)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= wanted) return factor * power;
+    return 10.0 * power;
 }
 
 Camera panned(const Camera& camera, ImVec2 pixels) {

@@ -44,6 +44,9 @@ Camera fitted(const Bounds& bounds, const CanvasRect& canvas, float margin);
 /// pixels per metre.
 Camera zoomed(const Camera& camera, const CanvasRect& canvas, ImVec2 screen, double factor);
 
+/// The least of 1, 2, 5, 10, 20, ... (m) that takes so many pixels or more.
+double roundStep(const Camera& camera, double pixels);
+
 /// Moved by a distance on the screen.
 Camera panned(const Camera& camera, ImVec2 pixels);
 

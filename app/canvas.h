@@ -30,6 +30,10 @@ void drawWays(const Canvas& canvas);
 /// A button goes down at a place (m) while the scene is being changed; then it moves.
 void beginEdit(const Canvas& canvas, Vec2 place);
 void continueEdit(const Canvas& canvas, Vec2 place);
+/// The rectangle from where the button went down; what lies in it is selected as well.
+void continueBand(const Canvas& canvas, Vec2 place);
+/// The button goes up.
+void endEdit(const Canvas& canvas);
 /// What is selected, and its handles.
 void drawEditing(const Canvas& canvas);
 

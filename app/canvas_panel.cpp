@@ -41,6 +41,7 @@ void interact(const Canvas& canvas, bool hovered, bool active) {
         ui.commands.push_back(
             SetCamera{zoomed(canvas.camera, canvas.rect, io.MousePos, std::pow(1.15, io.MouseWheel))});
     if (!active) {
+        if (ui.state.grip == Grip::edit) endEdit(canvas);
         if (ui.state.grip != Grip::none) ui.commands.push_back(SetGrip{Grip::none});
         return;
     }
@@ -56,6 +57,7 @@ void interact(const Canvas& canvas, bool hovered, bool active) {
     }
     if (io.MouseDelta.x == 0.0f && io.MouseDelta.y == 0.0f) return;
     if (ui.state.grip == Grip::edit) continueEdit(canvas, place);
+    if (ui.state.grip == Grip::band) continueBand(canvas, place);
     if (ui.state.grip == Grip::split)
         ui.commands.push_back(SetSplit{(io.MousePos.x - canvas.rect.min.x) / canvas.rect.width()});
     if (ui.state.grip == Grip::canvas) ui.commands.push_back(SetCamera{panned(canvas.camera, io.MouseDelta)});

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "app/edit_commands.h"
 #include "app/goal_check.h"
 #include "app/opening.h"
+#include "app/share_text.h"
 #include "core/overload.h"
 
 namespace halfdisk {
@@ -82,18 +84,8 @@ void drawCurve(AppState& state, const DrawCurve& stroke) {
 void attempt(AppState& state, const auto& change) {
     AppState next = state;
     change(next);
+    if (next.editing.on) nameFile(next);  // what is saved now shall not replace another scene's file
     state = std::move(next);
-}
-
-/// What a class may not do on a machine that stands for all.
-bool isForbidden(const AppState& state, const Command& command) {
-    if (!state.rules.kiosk) return false;
-    if (const auto* go = std::get_if<GoTo>(&command))
-        return !state.lesson || go->lesson != state.lesson->slug;
-    return std::holds_alternative<OpenScene>(command) || std::holds_alternative<OpenShared>(command) ||
-           std::holds_alternative<OpenFile>(command) || std::holds_alternative<SetEditing>(command) ||
-           std::holds_alternative<EditScene>(command) || std::holds_alternative<SaveScene>(command) ||
-           std::holds_alternative<UnlockAll>(command) || std::holds_alternative<ExportSeen>(command);
 }
 
 void applyUnchecked(AppState& state, const Command& command) {
@@ -120,8 +112,15 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](const OpenScene& c) {
                 attempt(state, [&](AppState& next) { showSceneAlone(next, c.file); });
             },
-            [&](const OpenFile& c) { attempt(state, [&](AppState& next) { openAny(next, c.file); }); },
+            [&](const OpenFile& c) {
+                attempt(state, [&](AppState& next) {
+                    openAny(next, c.file);
+                    remember(next.recent, c.file);
+                    next.files.shown = false;
+                });
+            },
             [&](const OpenShared& c) { attempt(state, [&](AppState& next) { showShared(next, c.text); }); },
+            [&](CopyState) { state.toClipboard = shareText(state); },
             [&](Reload) { attempt(state, reload); },
             [&](const SetSettings& c) {
                 if (state.settings == c.settings) return;
@@ -146,18 +145,17 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](SetEditing c) { setEditing(state, c.on); },
             [&](SetTool c) { state.editing.tool = c.tool; },
             [&](SetSnap c) { state.editing.snap = c.on; },
-            [&](const SelectThing& c) {
-                const bool there = c.thing && exists(state.scene->description, *c.thing);
-                state.editing.selected = there ? c.thing : std::nullopt;
+            [&](const SelectThings& c) {
+                state.editing.selected = existing(state.scene->description, c.things);
                 state.editing.message.clear();
             },
-            [&](const BeginGesture& c) {
-                Editing& editing = state.editing;
-                editing.start = state.scene;
-                editing.grabbed = c.place;
-                editing.handle = c.handle;
-                editing.changing = false;
-            },
+            [&](ActOnSelected c) { actOnSelected(state, c.act); },
+            [&](const AddNew& c) { addNew(state, c); },
+            [&](const MoveSelected& c) { moveSelected(state, c); },
+            [&](const SetMaterial& c) { setMaterialOfSelected(state, c.name); },
+            [&](AddMaterial c) { addMaterialToSelected(state, c.kind); },
+            [&](const ChooseSkyImage& c) { chooseSkyImage(state, c.image); },
+            [&](const BeginGesture& c) { beginGesture(state, c); },
             [&](const EditScene& c) { editScene(state, c); },
             [&](Undo) { undo(state); },
             [&](Redo) { redo(state); },
@@ -193,7 +191,7 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](ScrolledTo c) { state.litLine = c.line; },
             [&](SetGrip c) {
                 state.grip = c.grip;
-                if (c.grip != Grip::edit) state.editing.start.reset();
+                if (c.grip != Grip::edit && c.grip != Grip::band) state.editing.start.reset();
             },
             [&](SetUiScale c) { state.uiScale = std::clamp(c.scale, 0.5f, 4.0f); },
             [&](SetView c) { setView(state, c); },
@@ -203,6 +201,20 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](RevealAnswer) { state.answerShown = true; },
             [&](UnlockAll c) { state.unlockAll = c.on; },
             [&](ToggleHelp) { state.helpShown = !state.helpShown; },
+            [&](ShowPalette c) {
+                state.palette = {c.shown, {}, 0};
+            },
+            [&](const SetQuery& c) {
+                state.palette.query = c.query;
+                state.palette.selected = 0;
+            },
+            [&](SelectEntry c) { state.palette.selected = c.index; },
+            [&](ShowFiles c) {
+                state.files.shown = c.shown;
+                if (c.shown) openChooser(state.files, usualFolder(state), state.recent);
+            },
+            [&](const SetFilePath& c) { setChooserPath(state.files, c.path); },
+            [&](SelectFile c) { state.files.selected = c.index; },
             [&](DismissBanner) { state.banner.clear(); },
             [&](ExportSeen) {
                 state.exportWished = true;
@@ -217,6 +229,23 @@ void applyUnchecked(AppState& state, const Command& command) {
 }
 
 }  // namespace
+
+bool isForbidden(const AppState& state, const Command& command) {
+    if (!state.rules.kiosk) return false;
+    const auto isAny = [&]<class... Forbidden>(std::type_identity<Forbidden>...) {
+        return (... || std::holds_alternative<Forbidden>(command));
+    };
+    if (const auto* go = std::get_if<GoTo>(&command))
+        return !state.lesson || go->lesson != state.lesson->slug;
+    if (const auto* files = std::get_if<ShowFiles>(&command)) return files->shown;
+    return isAny(std::type_identity<OpenScene>{}, std::type_identity<OpenShared>{},
+                 std::type_identity<OpenFile>{}, std::type_identity<SetEditing>{},
+                 std::type_identity<EditScene>{}, std::type_identity<SaveScene>{},
+                 std::type_identity<ActOnSelected>{}, std::type_identity<AddNew>{},
+                 std::type_identity<MoveSelected>{}, std::type_identity<SetMaterial>{},
+                 std::type_identity<AddMaterial>{}, std::type_identity<ChooseSkyImage>{},
+                 std::type_identity<UnlockAll>{}, std::type_identity<ExportSeen>{});
+}
 
 void apply(AppState& state, const Command& command) {
     try {

@@ -27,7 +27,8 @@ struct OpenFile {
 struct OpenShared {
     std::string text;  ///< see share_text.h
 };
-struct Reload {};  ///< read the files again; the step stays
+struct CopyState {};  ///< to the clipboard, see share_text.h
+struct Reload {};     ///< read the files again; the step stays
 struct SetSettings {
     Settings settings;
 };
@@ -49,8 +50,30 @@ struct SetTool {
 struct SetSnap {
     bool on;
 };
-struct SelectThing {
-    std::optional<Thing> thing;
+struct SelectThings {
+    Selection things;
+};
+struct ActOnSelected {
+    EditAct act;
+};
+/// A thing of a tool, as if it were drawn from one place to the other (m).
+struct AddNew {
+    Tool tool;
+    Vec2 from, to;
+};
+struct MoveSelected {
+    Vec2 by;         ///< m
+    bool continues;  ///< the same gesture, if it still goes on
+};
+/// Of the selected shapes.
+struct SetMaterial {
+    std::string name;  ///< empty: the default one
+};
+struct AddMaterial {
+    std::size_t kind;  ///< an alternative of Material
+};
+struct ChooseSkyImage {
+    std::string image;  ///< beside the scene's file; empty: none
 };
 struct BeginGesture {
     Vec2 place;                         ///< m
@@ -58,7 +81,7 @@ struct BeginGesture {
 };
 struct EditScene {
     SceneDescription scene;
-    std::optional<Thing> selected;
+    Selection selected;
     bool continues = false;  ///< the same gesture: undone together with what came before
 };
 struct Undo {};
@@ -129,18 +152,41 @@ struct SetLanguage {
     std::string code;  ///< empty: English
 };
 struct ToggleHelp {};
+struct ShowPalette {
+    bool shown;
+};
+struct SetQuery {
+    std::string query;
+};
+struct SelectEntry {
+    std::size_t index;  ///< of those that the query finds
+};
+struct ShowFiles {
+    bool shown;
+};
+struct SetFilePath {
+    std::string path;
+};
+struct SelectFile {
+    std::size_t index;
+};
 struct DismissBanner {};
 struct ExportSeen {};     ///< to files, once the light is complete
 struct DismissNotice {};  ///< and no export any more
 
-using Command = std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, Reload,
-                             SetSettings, SetRun, SetMakers, SetSplit, SetEditing, SetTool, SetSnap,
-                             SelectThing, BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene,
-                             MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun,
-                             TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView,
-                             LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke,
-                             LightTopic, SetLanguage, ToggleHelp, DismissBanner, ExportSeen, DismissNotice>;
+using Command =
+    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, CopyState, Reload,
+                 SetSettings, SetRun, SetMakers, SetSplit, SetEditing, SetTool, SetSnap, SelectThings,
+                 ActOnSelected, AddNew, MoveSelected, SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture,
+                 EditScene, Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine,
+                 JumpToSource, ShowWholeRun, TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip,
+                 SetUiScale, SetView, LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve,
+                 EndStroke, LightTopic, SetLanguage, ToggleHelp, ShowPalette, SetQuery, SelectEntry,
+                 ShowFiles, SetFilePath, SelectFile, DismissBanner, ExportSeen, DismissNotice>;
 using Commands = std::vector<Command>;
+
+/// What a class may not do on a machine that stands for all: it does nothing.
+bool isForbidden(const AppState& state, const Command& command);
 
 /// Never throws for bad files: the message goes to state.banner and the rest of the state stays as it was.
 void apply(AppState& state, const Command& command);

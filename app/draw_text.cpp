@@ -44,6 +44,11 @@ void sameLineIfFits(std::string_view label, float width) {
     if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + needed <= right + 0.5f) ImGui::SameLine();
 }
 
+float partOfRow(int count) {
+    const float all = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+    return (all - gap * static_cast<float>(count - 1)) / static_cast<float>(count);
+}
+
 bool isGray(const Rgb& value) {
     const auto same = [](double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(a); };
     return same(value.x, value.y) && same(value.x, value.z);

@@ -23,6 +23,9 @@ ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view words, Al
 /// The next button with this label goes beside the last item if there is room, else below it.
 void sameLineIfFits(std::string_view label, float width = 0.0f);
 
+/// The width of each of so many that share a row.
+float partOfRow(int count);
+
 ImVec2 textSize(std::string_view words, ImFont* font = nullptr);
 
 /// The first of these words that are no wider than `width`; else the last, cut to as many as are.

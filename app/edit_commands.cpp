@@ -1,12 +1,10 @@
 #include "app/edit_commands.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
 #include "core/nearest_wall.h"
+#include "lessons/sky_image.h"
 
 namespace halfdisk {
 namespace {
@@ -23,7 +21,7 @@ void show(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     if (state.scene) state.at = keptPoint(*state.scene, state.at, scene->scene);
     state.scene = std::move(scene);
     Editing& editing = state.editing;
-    if (editing.selected && !exists(state.scene->description, *editing.selected)) editing.selected.reset();
+    editing.selected = existing(state.scene->description, editing.selected);
     state.eyePixel.reset();
     state.editing.message.clear();
     ++state.questionId;
@@ -38,14 +36,6 @@ void forgetOld(std::vector<std::shared_ptr<const PreparedScene>>& scenes) {
         if (bytes > kUndoBytes && kept > 0) break;
     }
     scenes.erase(scenes.begin(), scenes.end() - static_cast<std::ptrdiff_t>(kept));
-}
-
-/// Whether somebody wrote comments into the file, which a file that is written anew would lack.
-bool hasComments(const std::filesystem::path& file) {
-    std::ifstream in(file);
-    for (std::string line; std::getline(in, line);)
-        if (line.find('#') != std::string::npos) return true;
-    return false;
 }
 
 /// Shows the last scene of `from`; the one that it takes the place of goes to `to`.
@@ -63,13 +53,6 @@ void stepBack(AppState& state, std::vector<std::shared_ptr<const PreparedScene>>
 }
 
 }  // namespace
-
-SceneDescription withoutFarImage(SceneDescription scene, const std::filesystem::path& file) {
-    std::error_code none;
-    std::string& image = scene.environment.image;
-    if (!image.empty() && !std::filesystem::exists(file.parent_path() / image, none)) image.clear();
-    return scene;
-}
 
 bool isEdited(const AppState& state) {
     const Editing& editing = state.editing;
@@ -95,7 +78,7 @@ void replaceScene(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     editing.history.future.clear();
     editing.neverSaved = false;
     editing.clean.reset();
-    editing.selected.reset();
+    editing.selected = {};
     editing.start.reset();
     editing.message = std::move(message);
     state.scene = std::move(scene);
@@ -119,6 +102,62 @@ void editScene(AppState& state, const EditScene& edit) {
     show(state, std::move(changed));
 }
 
+void beginGesture(AppState& state, const BeginGesture& gesture) {
+    Editing& editing = state.editing;
+    editing.start = state.scene;
+    editing.grabbed = gesture.place;
+    editing.handle = gesture.handle;
+    editing.before = editing.selected;
+    editing.changing = false;
+}
+
+void actOnSelected(AppState& state, EditAct act) {
+    if (!serves(act, state.editing.selected)) return;
+    EditScene edit{state.scene->description, {}, false};
+    edit.selected = perform(act, edit.scene, state.editing.selected);
+    editScene(state, edit);
+}
+
+void addNew(AppState& state, const AddNew& add) {
+    EditScene edit{state.scene->description, {}, false};
+    edit.selected = addThing(edit.scene, add.tool, add.from, add.to);
+    if (!edit.selected.empty()) editScene(state, edit);
+}
+
+void moveSelected(AppState& state, const MoveSelected& move) {
+    const Editing& editing = state.editing;
+    if (editing.selected.empty()) return;
+    const bool continues = move.continues && editing.start && editing.changing;
+    if (!continues) beginGesture(state, {Vec2(0.0), std::nullopt});
+    EditScene edit{state.scene->description, editing.selected, continues};
+    moveBy(edit.scene, edit.selected, move.by);
+    editScene(state, edit);
+}
+
+void setMaterialOfSelected(AppState& state, const std::string& name) {
+    EditScene edit{state.scene->description, state.editing.selected, false};
+    setMaterial(edit.scene, edit.selected, name);
+    if (!(edit.scene == state.scene->description)) editScene(state, edit);
+}
+
+void addMaterialToSelected(AppState& state, std::size_t kind) {
+    EditScene edit{state.scene->description, state.editing.selected, false};
+    setMaterial(edit.scene, edit.selected, addMaterial(edit.scene, kind));
+    editScene(state, edit);
+}
+
+void chooseSkyImage(AppState& state, const std::string& image) {
+    EditScene edit{state.scene->description, state.editing.selected, false};
+    Sky& sky = edit.scene.environment;
+    try {
+        sky.light.strip = image.empty() ? std::vector<Rgb>() : readSky(usualFolder(state) / image);
+        sky.image = image;
+        editScene(state, edit);
+    } catch (const std::exception& error) {
+        state.editing.message = error.what();
+    }
+}
+
 void undo(AppState& state) {
     stepBack(state, state.editing.history.past, state.editing.history.future);
 }
@@ -127,46 +166,10 @@ void redo(AppState& state) {
     stepBack(state, state.editing.history.future, state.editing.history.past);
 }
 
-void saveEdited(AppState& state, const SaveScene& save) {
-    Editing& editing = state.editing;
-    const std::filesystem::path file(save.path);
-    if (save.path.empty() || file.extension() != ".toml") {
-        editing.message = "a scene file's name ends with .toml";
-        return;
-    }
-    std::error_code none;
-    const bool there = std::filesystem::exists(file, none), comments = there && hasComments(file);
-    if (!editing.confirmed && (comments || (there && editing.savedAs != save.path))) {
-        editing.confirmed = true;
-        editing.message = fmt::format("{} {}. Save again to write over it.", save.path,
-                                      comments ? "has comments, which would go" : "is there already");
-        return;
-    }
-    try {
-        saveScene(withoutFarImage(state.scene->description, file), file);
-        editing.clean = state.scene;
-        editing.neverSaved = false;
-        editing.savedAs = save.path;
-        editing.message = fmt::format("saved: {}", save.path);
-    } catch (const std::exception& error) {
-        editing.message = error.what();
-    }
-    editing.confirmed = false;
-}
-
 void setEditing(AppState& state, bool on) {
-    Editing& editing = state.editing;
-    editing.on = on;
-    editing.start.reset();
-    const std::filesystem::path opened =
-        state.sceneOverride.empty() && state.lesson ? state.lesson->scenePath : state.sceneOverride;
-    if (on && (editing.path.empty() || editing.origin != opened.string())) {
-        const std::string stem = opened.stem().string();
-        editing.path = (stem.empty() ? "scene" : "my_" + stem) + ".toml";
-        editing.origin = opened.string();
-        editing.savedAs.clear();
-        editing.confirmed = false;
-    }
+    state.editing.on = on;
+    state.editing.start.reset();
+    if (on) nameFile(state);
     state.fitCamera = false;  // what is drawn shall stay under the pointer
 }
 

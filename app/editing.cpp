@@ -55,12 +55,54 @@ std::optional<Thing> addThing(SceneDescription& scene, Tool tool, Vec2 from, Vec
     return std::nullopt;
 }
 
-Vec2 snapped(const SceneDescription& scene, std::optional<Thing> except, Vec2 place, double reach,
-             double grid) {
+bool serves(EditAct act, const Selection& things) {
+    const auto isAny = [&](auto... kinds) {
+        return std::any_of(things.things.begin(), things.things.end(),
+                           [&](Thing thing) { return (... || (thing.kind == kinds)); });
+    };
+    switch (act) {
+        case EditAct::copy:
+        case EditAct::remove:
+        case EditAct::turn:
+            return !things.empty();
+        case EditAct::larger:
+        case EditAct::smaller:
+            return things.size() > 1 || isAny(ThingKind::shape);
+        case EditAct::flip:
+            return isAny(ThingKind::shape);
+    }
+    return false;
+}
+
+Selection perform(EditAct act, SceneDescription& scene, const Selection& things) {
+    constexpr double kStep = 0.1, kDegrees = 15.0, kFactor = 1.1;
+    switch (act) {
+        case EditAct::copy:
+            return copyOf(scene, things, Vec2(kStep, kStep));
+        case EditAct::remove:
+            remove(scene, things);
+            return {};
+        case EditAct::turn:
+            turnBy(scene, things, kDegrees);
+            break;
+        case EditAct::larger:
+            scaleBy(scene, things, kFactor);
+            break;
+        case EditAct::smaller:
+            scaleBy(scene, things, 1.0 / kFactor);
+            break;
+        case EditAct::flip:
+            flip(scene, things);
+            break;
+    }
+    return things;
+}
+
+Vec2 snapped(const SceneDescription& scene, const Selection& except, Vec2 place, double reach, double grid) {
     std::optional<Vec2> nearest;
     double distance = reach;
     for (const Thing& thing : thingsOf(scene)) {
-        if (except == thing) continue;
+        if (except.has(thing)) continue;
         for (const Vec2 handle : handlesOf(scene, thing)) {
             if (glm::length(handle - place) > distance) continue;
             distance = glm::length(handle - place);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/prepared_scene.h"
-#include "lessons/scene_edit.h"
+#include "lessons/selection.h"
 
 namespace halfdisk {
 
@@ -16,7 +16,8 @@ namespace halfdisk {
 enum class Tool : std::uint8_t { select, wall, box, circle, lens, lamp, bulb, sun, eye };
 
 inline constexpr std::array<Named<Tool>, 9> kTools{{
-    {Tool::select, "Select", "click a thing; drag it, or one of its handles"},
+    {Tool::select, "Select",
+     "click a thing; drag it, or one of its handles; Shift: several, also by a rectangle"},
     {Tool::wall, "Wall", "drag from end to end; its front is on the left"},
     {Tool::box, "Box", "drag from corner to corner"},
     {Tool::circle, "Circle", "drag from the middle to the rim"},
@@ -26,6 +27,24 @@ inline constexpr std::array<Named<Tool>, 9> kTools{{
     {Tool::sun, "Sun", "drag along the way of the light"},
     {Tool::eye, "Eye", "drag from the eye to what it looks at; there is one"},
 }};
+
+/// What can be done to what is selected.
+enum class EditAct : std::uint8_t { copy, remove, turn, larger, smaller, flip };
+
+inline constexpr std::array<Named<EditAct>, 6> kEditActs{{
+    {EditAct::copy, "Copy", "once more, beside it (Ctrl D)"},
+    {EditAct::remove, "Delete", "take it away (Delete)"},
+    {EditAct::turn, "Turn", "by 15 degrees; several about their common middle"},
+    {EditAct::larger, "Larger", "by a tenth"},
+    {EditAct::smaller, "Smaller", "by as much"},
+    {EditAct::flip, "Flip", "front and back change places"},
+}};
+
+/// Whether it changes anything about these.
+bool serves(EditAct act, const Selection& things);
+
+/// Does it; returns what is selected then.
+Selection perform(EditAct act, SceneDescription& scene, const Selection& things);
 
 /// Scenes as they were. Old ones are forgotten when all together take more than kUndoBytes.
 struct History {
@@ -40,7 +59,7 @@ struct Editing {
     bool on = false;
     Tool tool = Tool::select;
     bool snap = true;  ///< to ends of things and to a grid
-    std::optional<Thing> selected;
+    Selection selected;
     History history;
     std::shared_ptr<const PreparedScene> clean;  ///< as it was opened or saved; null: as it is
     bool neverSaved = false;                     ///< it came from no file: a text that somebody sent
@@ -56,6 +75,7 @@ struct Editing {
     std::shared_ptr<const PreparedScene> start;  ///< as it was when the gesture began
     Vec2 grabbed{0.0};                           ///< where that was, m
     std::optional<std::size_t> handle;           ///< which is pulled
+    Selection before;                            ///< what was selected then
     bool changing = false;                       ///< the gesture has changed something already
 };
 
@@ -65,8 +85,8 @@ std::string usualMaterial(const SceneDescription& scene);
 /// A scene with a new thing of this tool, from one place to another. Nothing for Tool::select.
 std::optional<Thing> addThing(SceneDescription& scene, Tool tool, Vec2 from, Vec2 to);
 
-/// A place near `place` (m) that is an end of another thing, or on the grid; `reach` (m): how far.
-Vec2 snapped(const SceneDescription& scene, std::optional<Thing> except, Vec2 place, double reach,
-             double grid);
+/// A place near `place` (m) that is an end of a thing not among `except`, or on the grid; `reach` (m): how
+/// far.
+Vec2 snapped(const SceneDescription& scene, const Selection& except, Vec2 place, double reach, double grid);
 
 }  // namespace halfdisk

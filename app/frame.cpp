@@ -195,15 +195,23 @@ void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {
         state,   fonts, session.palette, session.listings, session.widgets, commands, session.languages,
         uiScale, sheet};
     columns(ui);
-    if (!state.banner.empty())
-        bannerBar(ui);
-    else if (state.exportWished || !state.notice.empty())
-        noticeBar(ui);
-    if (state.helpShown) helpOverlay(ui);
-    keyboard(ui);
+    if (state.palette.shown) {
+        paletteOverlay(ui);
+    } else if (state.files.shown) {
+        filesOverlay(ui);
+    } else {
+        if (!state.banner.empty())
+            bannerBar(ui);
+        else if (state.exportWished || !state.notice.empty())
+            noticeBar(ui);
+        if (state.helpShown) helpOverlay(ui);
+        keyboard(ui);
+    }
 
     state.topic = Topic::none;
     for (const Command& command : commands) apply(state, command);
+    if (!state.toClipboard.empty()) ImGui::SetClipboardText(state.toClipboard.c_str());
+    state.toClipboard.clear();
     dropForeignAnswer(state);
     askLight(session);
 }

@@ -1,55 +1,30 @@
 // Which keys are there, and what went wrong? The help over everything, and the bar for messages.
 #include <fmt/format.h>
 
-#include <array>
-#include <string_view>
+#include <algorithm>
 
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
+#include "app/key_help.h"
 #include "app/light_progress.h"
 #include "app/panels.h"
 
 namespace halfdisk {
 namespace {
 
-struct KeyHelp {
-    std::string_view keys, meaning;
-};
+/// Of the keys, pixels.
+float widestKeys(const Ui& ui) {
+    float width = 0.0f;
+    for (const KeyHelp& key : kKeyHelp) width = std::max(width, textSize(key.keys, ui.fonts.strong).x);
+    return width;
+}
 
-constexpr std::array kKeys{
-    KeyHelp{"Page Down, N", "next step of the lesson"},
-    KeyHelp{"Page Up, B", "previous step of the lesson"},
-    KeyHelp{"L", "next lesson"},
-    KeyHelp{"R", "reset to how the step began"},
-    KeyHelp{"\u2192  \u2190", "step forward / back through castRay"},
-    KeyHelp{"Shift \u2192  \u2190", "ten steps at once"},
-    KeyHelp{"Space", "play or pause"},
-    KeyHelp{"Home  End", "first / last step of the run"},
-    KeyHelp{"W", "show the whole run at once"},
-    KeyHelp{"\u2191  \u2193", "double / halve N, when unlocked"},
-    KeyHelp{"[  ]", "move P along its wall, when unlocked"},
-    KeyHelp{"D  Shift D", "one scattering more / fewer, when unlocked"},
-    KeyHelp{"S", "next seed, when unlocked"},
-    KeyHelp{"M  E", "next sampler / emitters, when unlocked"},
-    KeyHelp{"1 ... 7  0", "switch one defect / all of them, when unlocked"},
-    KeyHelp{"A", "show the answer to the question"},
-    KeyHelp{"U", "unlock all controls, or lock them again"},
-    KeyHelp{"F", "fit the scene into the canvas"},
-    KeyHelp{"+  -  Ctrl arrows", "magnify, shrink or move the picture"},
-    KeyHelp{"P  C", "on small screens: the next pane / code or canvas"},
-    KeyHelp{"G", "grid on / off"},
-    KeyHelp{"X", "change the scene, or be done with it"},
-    KeyHelp{"Ctrl Z  Ctrl Y", "undo / redo a change of the scene"},
-    KeyHelp{"Ctrl D  Delete", "copy / delete what is selected"},
-    KeyHelp{"Ctrl S", "save the scene"},
-    KeyHelp{"Ctrl C  Ctrl V", "copy all that is seen as a text / see what such a text says"},
-    KeyHelp{"Ctrl E", "export what is seen: pictures, tables, the run, its words"},
-    KeyHelp{"V  Shift V", "what the eye sees / the field of light on / off"},
-    KeyHelp{"Ctrl +  Ctrl -", "everything larger / smaller"},
-    KeyHelp{"? or F1", "this help"},
-    KeyHelp{"Mouse", "drag P; drag the canvas to pan; wheel to zoom"},
-    KeyHelp{"Double click", "on a number: type it exactly"},
-};
+/// Of the meanings in these rows, pixels.
+float longest(std::size_t first, std::size_t last) {
+    float width = 0.0f;
+    for (std::size_t i = first; i < last; ++i) width = std::max(width, textSize(kKeyHelp[i].meaning).x);
+    return width;
+}
 
 /// Each in its own words.
 void languageButtons(const Ui& ui) {
@@ -74,16 +49,32 @@ void helpOverlay(const Ui& ui) {
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoSavedSettings);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * ui.scale});
-    for (const KeyHelp& key : kKeys) {
+    const std::size_t half = (kKeyHelp.size() + 1) / 2;
+    const float gap = 1.5f * ImGui::GetFontSize(), indent = widestKeys(ui) + gap;
+    const bool beside =
+        indent + longest(0, half) + gap + indent + longest(half, kKeyHelp.size()) + gap < 0.95f * screen.x;
+    ImGui::BeginGroup();
+    for (std::size_t i = 0; i < kKeyHelp.size(); ++i) {
+        if (beside && i == half) {
+            ImGui::EndGroup();
+            ImGui::SameLine(0.0f, gap);
+            ImGui::BeginGroup();
+        }
         ImGui::PushFont(ui.fonts.strong);
-        text(ui.widgets, key.keys);
+        text(ui.widgets, kKeyHelp[i].keys);
         ImGui::PopFont();
-        ImGui::SameLine(9.5f * ImGui::GetFontSize());
-        text(ui.widgets, key.meaning);
+        ImGui::SameLine(indent);
+        text(ui.widgets, kKeyHelp[i].meaning);
     }
+    ImGui::EndGroup();
     ImGui::PopStyleVar();
     languageButtons(ui);
     if (button(ui.widgets, "Close")) ui.commands.push_back(ToggleHelp{});
+    sameLineIfFits("Find by name ...");
+    if (button(ui.widgets, "Find by name ...")) {
+        ui.commands.push_back(ToggleHelp{});
+        ui.commands.push_back(ShowPalette{true});
+    }
     ImGui::End();
 }
 

@@ -19,6 +19,10 @@ inline bool keyDown(Key key) {
     return ImGui::IsKeyDown(keyIndex(key));
 }
 
+inline bool anyArrowDown() {
+    return keyDown(Key::left) || keyDown(Key::right) || keyDown(Key::up) || keyDown(Key::down);
+}
+
 /// Whether the character arrived in this frame, on whatever keyboard. Text fields swallow it.
 inline bool characterTyped(ImWchar character) {
     const ImGuiIO& io = ImGui::GetIO();

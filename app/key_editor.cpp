@@ -1,5 +1,7 @@
 #include "app/key_editor.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -7,6 +9,7 @@ namespace halfdisk {
 namespace {
 
 constexpr std::uint32_t kMostWallsOfShape = 2000;  // in the window; a file may have more
+constexpr std::size_t kMostStripShown = 24;
 
 }  // namespace
 
@@ -62,6 +65,37 @@ bool KeyEditor::edit(const std::string& key, std::string& field, NameRule) const
     if (!combo(ui.widgets, key.c_str(), index, names)) return false;
     field = index == 0 ? std::string() : std::string(names[static_cast<std::size_t>(index)]);
     return true;
+}
+
+bool KeyEditor::edit(const std::string& key, std::string& field, const TextRule& rule) const {
+    std::string typed = field;
+    const bool entered = inputTextEntered(ui.widgets, key.c_str(), typed);
+    tooltip("a PNG beside the scene's file; Enter reads it, an empty name takes it away");
+    if (!entered || typed == field || typed.size() > rule.mostCharacters) return false;
+    field = typed;
+    return true;
+}
+
+bool KeyEditor::edit(const std::string& key, std::vector<Rgb>& strip, const StripRule& rule) const {
+    if (strip.empty()) return false;
+    if (!scene.environment.image.empty()) {
+        text(ui.widgets, fmt::format("{}: {} angles, of the picture", key, strip.size()));
+        return false;
+    }
+    bool edited = false;
+    const double each = 360.0 / static_cast<double>(strip.size());
+    for (std::size_t i = 0; i < std::min(strip.size(), kMostStripShown); ++i) {
+        const std::string from = fmt::format("{:.4g}\u00b0", static_cast<double>(i) * each);
+        edited = editRow(from, &strip[i].x, 3, kLightRule) || edited;
+    }
+    if (strip.size() > kMostStripShown)
+        text(ui.widgets, fmt::format("and {} more", strip.size() - kMostStripShown));
+    auto count = static_cast<std::uint32_t>(strip.size());
+    const bool resized = dragNumber<std::uint32_t>(
+        ui.widgets, "angles", count, {1, static_cast<std::uint32_t>(rule.most), 0.1f, "%u", false});
+    tooltip("equal angles, counter-clockwise from +x");
+    if (resized) strip.resize(count, strip.back());
+    return edited || resized;
 }
 
 bool KeyEditor::edit(const std::string& key, std::vector<Vec2>& field, const PointsRule&) const {

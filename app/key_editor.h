@@ -37,6 +37,9 @@ struct KeyEditor {
         return checkbox(ui.widgets, key.c_str(), field);
     }
     bool edit(const std::string& key, std::string& field, NameRule) const;
+    /// Taken with Enter: a half of a name is none.
+    bool edit(const std::string& key, std::string& field, const TextRule& rule) const;
+    bool edit(const std::string& key, std::vector<Rgb>& strip, const StripRule& rule) const;
     bool edit(const std::string& key, std::vector<Vec2>& field, const PointsRule& rule) const;
     bool edit(const std::string& key, Diffuse& part, PartRule) { return edit(key, part.albedo, kShareRule); }
     bool edit(const std::string& key, std::variant<Mirror, Glossy>& part, PartRule);

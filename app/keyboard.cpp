@@ -1,7 +1,8 @@
 // What does each key do? Everything that the mouse can do to the lesson; the list for the reader is in
-// help_overlay.cpp.
+// key_help.h.
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/imgui_compat.h"
 #include "app/panels.h"
@@ -16,10 +17,7 @@ void lessonKeys(const Ui& ui) {
     if (keyPressed(Key::r, false)) ui.commands.push_back(ResetStep{});
     if (keyPressed(Key::a, false)) ui.commands.push_back(RevealAnswer{});
     if (keyPressed(Key::l, false) && !ui.state.lessons.empty()) {
-        std::size_t next = 0;
-        for (std::size_t i = 0; i < ui.state.lessons.size(); ++i)
-            if (ui.state.lesson && ui.state.lessons[i].slug == ui.state.lesson->slug) next = i + 1;
-        ui.commands.push_back(GoTo{ui.state.lessons[next % ui.state.lessons.size()].slug, 0});
+        ui.commands.push_back(GoTo{ui.state.lessons[nextLessonIndex(ui.state)].slug, 0});
     }
     if (keyPressed(Key::u, false)) ui.commands.push_back(UnlockAll{!ui.state.unlockAll});
 }
@@ -102,20 +100,47 @@ void panKeys(const Ui& ui) {
     if (x != 0.0f || y != 0.0f) ui.commands.push_back(SetCamera{panned(ui.state.camera, {x, y})});
 }
 
+/// The arrows move what is selected; then they mean nothing else.
+bool nudgeKeys(const Ui& ui) {
+    const Editing& editing = ui.state.editing;
+    if (!editing.on || editing.selected.empty()) return false;
+    constexpr std::array kWays{std::pair{Key::left, Vec2(-1, 0)}, std::pair{Key::right, Vec2(1, 0)},
+                               std::pair{Key::down, Vec2(0, -1)}, std::pair{Key::up, Vec2(0, 1)}};
+    const double pixels = (ImGui::GetIO().KeyShift ? 24.0 : 2.4) * static_cast<double>(ui.scale);
+    const double step = roundStep(ui.state.camera, pixels);
+    bool any = false;
+    for (const auto& [key, way] : kWays) {
+        any = any || keyDown(key);
+        if (!keyPressed(key)) continue;
+        // What is held down moves on in the same gesture.
+        ui.commands.push_back(MoveSelected{step * way, !keyPressed(key, false)});
+    }
+    return any;
+}
+
+void nextThing(const Ui& ui, bool back) {
+    const std::vector<Thing> things = thingsOf(ui.state.scene->description);
+    if (things.empty()) return;
+    const std::optional<Thing> now = ui.state.editing.selected.primary();
+    const auto at = now ? std::find(things.begin(), things.end(), *now) : things.end();
+    const auto count = things.size(), index = static_cast<std::size_t>(at - things.begin());
+    const std::size_t next = at == things.end() ? (back ? count - 1 : 0)
+                             : back             ? (index + count - 1) % count
+                                                : (index + 1) % count;
+    ui.commands.push_back(SelectThings{things[next]});
+}
+
 void editKeys(const Ui& ui) {
     if (keyPressed(Key::x, false)) ui.commands.push_back(SetEditing{!ui.state.editing.on});
-    const Editing& editing = ui.state.editing;
-    if (!editing.on || !editing.selected) return;
-    if (keyPressed(Key::del, false) || keyPressed(Key::backspace, false)) {
-        SceneDescription scene = ui.state.scene->description;
-        remove(scene, *editing.selected);
-        ui.commands.push_back(EditScene{std::move(scene), std::nullopt, false});
-    }
+    if (!ui.state.editing.on) return;
+    if (keyPressed(Key::t)) nextThing(ui, ImGui::GetIO().KeyShift);
+    if (keyPressed(Key::del, false) || keyPressed(Key::backspace, false))
+        ui.commands.push_back(ActOnSelected{EditAct::remove});
 }
 
 /// With Ctrl held.
 void shareKeys(const Ui& ui) {
-    if (keyPressed(Key::c, false)) ImGui::SetClipboardText(shareText(ui.state).c_str());
+    if (keyPressed(Key::c, false)) ui.commands.push_back(CopyState{});
     if (keyPressed(Key::e, false)) ui.commands.push_back(ExportSeen{});
     if (!keyPressed(Key::v, false)) return;
     const char* text = ImGui::GetClipboardText();
@@ -130,11 +155,15 @@ void historyKeys(const Ui& ui) {
         ui.commands.push_back(ImGui::GetIO().KeyShift ? Command(Redo{}) : Command(Undo{}));
     if (keyPressed(Key::y)) ui.commands.push_back(Redo{});
     if (keyPressed(Key::s, false)) ui.commands.push_back(SaveScene{editing.path});
-    if (keyPressed(Key::d, false) && editing.selected) {
-        SceneDescription scene = ui.state.scene->description;
-        const Thing copy = copyOf(scene, *editing.selected, Vec2(0.1, 0.1));
-        ui.commands.push_back(EditScene{std::move(scene), copy, false});
-    }
+    if (keyPressed(Key::d, false)) ui.commands.push_back(ActOnSelected{EditAct::copy});
+    if (keyPressed(Key::a, false))
+        ui.commands.push_back(SelectThings{everything(ui.state.scene->description)});
+}
+
+/// With Ctrl held; also out of a text field.
+void openKeys(const Ui& ui) {
+    if (keyPressed(Key::k, false)) ui.commands.push_back(ShowPalette{true});
+    if (keyPressed(Key::o, false)) ui.commands.push_back(ShowFiles{true});
 }
 
 void paneKeys(const Ui& ui) {
@@ -156,9 +185,11 @@ void viewKeys(const Ui& ui) {
     }
     if (characterTyped('?') || keyPressed(Key::f1, false)) ui.commands.push_back(ToggleHelp{});
     if (keyPressed(Key::escape, false)) {
+        const bool covered = ui.state.helpShown || !ui.state.banner.empty();
         if (ui.state.helpShown) ui.commands.push_back(ToggleHelp{});
         if (!ui.state.banner.empty()) ui.commands.push_back(DismissBanner{});
         if (ui.state.exportWished || !ui.state.notice.empty()) ui.commands.push_back(DismissNotice{});
+        if (!covered && ui.state.editing.on) ui.commands.push_back(SelectThings{});
     }
 }
 
@@ -166,6 +197,7 @@ void viewKeys(const Ui& ui) {
 
 void keyboard(const Ui& ui) {
     const ImGuiIO& io = ImGui::GetIO();
+    if (io.KeyCtrl && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) openKeys(ui);
     if (io.WantTextInput || ImGui::IsAnyItemActive()) return;
     if (io.KeyCtrl) {
         if (keyPressed(Key::equal)) ui.commands.push_back(SetUiScale{ui.state.uiScale * 1.25f});
@@ -176,9 +208,11 @@ void keyboard(const Ui& ui) {
         shareKeys(ui);
         return;
     }
+    if (!nudgeKeys(ui)) {
+        playbackKeys(ui);
+        settingKeys(ui);
+    }
     lessonKeys(ui);
-    playbackKeys(ui);
-    settingKeys(ui);
     viewKeys(ui);
     cameraKeys(ui);
     paneKeys(ui);

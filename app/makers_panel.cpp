@@ -14,13 +14,6 @@
 namespace halfdisk {
 namespace {
 
-/// The picture that the numbers are about: the largest one that is shown.
-std::optional<View> mainView(const AppState& state) {
-    for (const View view : {View::field, View::eye, View::profile})
-        if (state.shows(view)) return view;
-    return std::nullopt;
-}
-
 bool chooseEstimator(const Ui& ui, const char* label, std::string& id) {
     std::vector<std::string_view> names;
     int index = 0;
@@ -117,7 +110,7 @@ void censusLine(const Ui& ui) {
 void makersPanel(const Ui& ui) {
     const AppState& state = ui.state;
     censusLine(ui);
-    const std::optional<View> view = mainView(state);
+    const std::optional<View> view = state.mainPicture();
     if (!view) return;
     Makers makers = state.makers;
     Maker first = makers.first ? *makers.first : usualMaker(*view);

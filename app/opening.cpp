@@ -173,9 +173,12 @@ void reload(AppState& state) {
             throw std::runtime_error(
                 fmt::format("{} has changed on the disk. It is not read: the scene here has unsaved changes",
                             state.sceneOverride.string()));
-        showScene(state, loadScene(state.sceneOverride), state.sceneOverride);
-        state.at = at.segment < state.scene->scene.segments.size() ? at : WallPoint{0, 0.5};
-        askAnew(state);
+        SceneDescription onDisk = loadScene(state.sceneOverride);
+        if (!(onDisk == state.scene->description)) {  // else it is what was saved here
+            showScene(state, std::move(onDisk), state.sceneOverride);
+            state.at = at.segment < state.scene->scene.segments.size() ? at : WallPoint{0, 0.5};
+            askAnew(state);
+        }
     }
     state.banner.clear();
     if (!state.lesson) return;

@@ -15,6 +15,8 @@ void eyeStrip(const Ui& ui, float width);
 float eyeStripHeight(const Ui& ui);
 /// In place of the settings while the scene is being changed.
 void editPanel(const Ui& ui);
+/// A part of it: what is selected, or else the sky.
+void inspector(const Ui& ui);
 /// What makes the pictures, and what they cost.
 void makersPanel(const Ui& ui);
 void profilePlot(const Ui& ui, ImVec2 size);
@@ -25,6 +27,10 @@ void helpOverlay(const Ui& ui);
 void bannerBar(const Ui& ui);
 /// How far what was asked for is, or that it is done.
 void noticeBar(const Ui& ui);
+/// The list of all that can be done.
+void paletteOverlay(const Ui& ui);
+/// The list of files that can be opened.
+void filesOverlay(const Ui& ui);
 
 /// Keys that work wherever the pointer is, unless a text field has the keyboard.
 void keyboard(const Ui& ui);

@@ -10,7 +10,7 @@
 #include "app/export_files.h"
 #include "app/file_watch.h"
 #include "app/frame.h"
-#include "app/opening.h"
+#include "app/recent_files.h"
 #include "app/window_host.h"
 
 namespace halfdisk {
@@ -36,8 +36,12 @@ int runWindow(const WindowRequest& request) {
     Autosave autosave(stateFolder(), static_cast<long>(getpid()));
     if (const auto left = autosave.recovered())
         session.state.banner = fmt::format(
-            "The program ended with unsaved changes. They are in {}: drop that file on this window.",
+            "The program ended with unsaved changes. They are in {}: drop that file on this window, or open "
+            "it (Ctrl O).",
             left->string());
+    RecentFiles recent(stateFolder());
+    if (!request.rules.kiosk) session.state.recent = recent.read();
+    if (request.opening.scene) remember(session.state.recent, *request.opening.scene);
     FileWatch watch;
     constexpr int kFramesBetweenLooks = 20;
     int sinceLook = 0;
@@ -48,6 +52,7 @@ int runWindow(const WindowRequest& request) {
         }
         frame(session, host->fonts(), host->fullScale());
         autosave.look(session.state, ImGui::GetTime());
+        recent.look(session.state);
         if (session.state.uiScale != host->uiScale()) host->setUiScale(session.state.uiScale);
     };
     const auto draw = [&](const FrameMaker::Draw& one) { host->frame(one); };

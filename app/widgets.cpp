@@ -188,6 +188,27 @@ bool inputText(WidgetRegistry& registry, const char* label, std::string& value) 
     return changed;
 }
 
+bool inputTextAtEnd(WidgetRegistry& registry, const char* label, std::string& value) {
+    const float width = ImGui::CalcItemWidth();
+    bool entering = !ImGui::IsAnyItemActive();
+    const auto toEnd = [](ImGuiInputTextCallbackData* data) {
+        if (!*static_cast<const bool*>(data->UserData)) return 0;
+        data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
+        return 0;
+    };
+    const bool changed =
+        ImGui::InputText(label, &value, ImGuiInputTextFlags_CallbackAlways, toEnd, &entering);
+    noteFramed(registry, label, width, WidgetKind::input);
+    return changed;
+}
+
+bool inputTextEntered(WidgetRegistry& registry, const char* label, std::string& value) {
+    const float width = ImGui::CalcItemWidth();
+    const bool entered = ImGui::InputText(label, &value, ImGuiInputTextFlags_EnterReturnsTrue);
+    noteFramed(registry, label, width, WidgetKind::input);
+    return entered;
+}
+
 void tooltip(std::string_view words) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();

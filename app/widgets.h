@@ -92,6 +92,11 @@ bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int leas
 /// One line. True with each change.
 bool inputText(WidgetRegistry& registry, const char* label, std::string& value);
 
+/// The same, with the cursor behind the last letter whenever the field is entered.
+bool inputTextAtEnd(WidgetRegistry& registry, const char* label, std::string& value);
+/// The same; true only with Enter.
+bool inputTextEntered(WidgetRegistry& registry, const char* label, std::string& value);
+
 template <class Number>
 struct DragRange {
     Number least, most;

@@ -35,6 +35,7 @@ LessonEntry entryOf(const fs::path& path) {
         const Lesson lesson = loadLesson(path);
         entry.title = lesson.title;
         entry.steps = static_cast<int>(lesson.steps.size());
+        for (const Step& step : lesson.steps) entry.stepTitles.push_back(step.title);
     } catch (const InputError& error) {
         entry.error = error.what();
     }

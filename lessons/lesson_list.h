@@ -17,6 +17,7 @@ struct LessonEntry {
     std::string slug;
     std::string title;
     int steps = 0;
+    std::vector<std::string> stepTitles;  ///< as many
     std::filesystem::path path;
     std::string error;  ///< not empty: the lesson cannot be used, and this is the one message why
 };

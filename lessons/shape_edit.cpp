@@ -77,16 +77,6 @@ void pull(LensShape& s, std::size_t handle, Vec2 to) {
         s.height = 2.0 * glm::length(to - s.center);
 }
 
-Vec2 middleOf(const Geometry& geometry) {
-    if (const auto* circle = std::get_if<CircleShape>(&geometry)) return circle->center;
-    if (const auto* arc = std::get_if<ArcShape>(&geometry)) return arc->center;
-    if (const auto* lens = std::get_if<LensShape>(&geometry)) return lens->center;
-    const std::vector<Vec2> points = handlesOf(geometry);
-    Vec2 sum(0.0);
-    for (const Vec2 p : points) sum += p;
-    return sum / static_cast<double>(points.size());  // which turning does not move
-}
-
 /// In the order of its edges (bottom, right, top, left), which a polygon's turning keeps or reverses.
 PolygonShape polygonOf(const BoxShape& box) {
     std::vector<Vec2> points = handlesOf(Geometry(box));
@@ -96,6 +86,16 @@ PolygonShape polygonOf(const BoxShape& box) {
 }
 
 }  // namespace
+
+Vec2 middleOf(const Geometry& geometry) {
+    if (const auto* circle = std::get_if<CircleShape>(&geometry)) return circle->center;
+    if (const auto* arc = std::get_if<ArcShape>(&geometry)) return arc->center;
+    if (const auto* lens = std::get_if<LensShape>(&geometry)) return lens->center;
+    const std::vector<Vec2> points = handlesOf(geometry);
+    Vec2 sum(0.0);
+    for (const Vec2 p : points) sum += p;
+    return sum / static_cast<double>(points.size());  // which turning does not move
+}
 
 std::vector<Vec2> handlesOf(const Geometry& geometry) {
     return std::visit(

@@ -18,6 +18,9 @@ std::vector<Vec2> handlesOf(const Geometry& geometry);
 /// Pulls one of the handles to a place. What would turn the shape inside out is kept right side out.
 void pullHandle(Geometry& geometry, std::size_t handle, Vec2 to);
 
+/// What turning and scaling leave where it is (m).
+Vec2 middleOf(const Geometry& geometry);
+
 void moveBy(Geometry& geometry, Vec2 by);
 
 /// About its middle, counter-clockwise. A box becomes a polygon unless it is a multiple of 90 degrees.

@@ -262,7 +262,7 @@ void editing(Rig& rig) {
 /// Selects the first thing, with editing on.
 void selectFirst(Rig& rig) {
     rig.driver.pressKey(Key::x);
-    rig.apply(SelectThing{Thing{ThingKind::shape, 0}});
+    rig.apply(SelectThings{Thing{ThingKind::shape, 0}});
     rig.driver.frames(2);
 }
 
@@ -293,6 +293,8 @@ void saving(Rig& rig) {
     rig.apply(SetScenePath{file.string()});
     rig.driver.pressKey(Key::ctrl, Key::s);
     CHECK(std::filesystem::exists(file));
+    rig.driver.pressKey(Key::ctrl, Key::o);
+    CHECK(rig.state().files.shown);
 }
 
 void sharing(Rig& rig) {
@@ -308,6 +310,42 @@ void exporting(Rig& rig) {
     CHECK(rig.state().exportWished);
     rig.driver.pressKey(Key::escape);
     CHECK_FALSE(rig.state().exportWished);
+}
+
+void finding(Rig& rig) {
+    rig.driver.pressKey(Key::ctrl, Key::k);
+    CHECK(rig.state().palette.shown);
+    rig.driver.pressKey(Key::escape);
+    CHECK_FALSE(rig.state().palette.shown);
+}
+
+void choosing(Rig& rig) {
+    rig.driver.pressKey(Key::x);
+    rig.driver.pressKey(Key::ctrl, Key::a);
+    CHECK(rig.state().editing.selected == everything(rig.state().scene->description));
+    rig.driver.pressKey(Key::t);
+    CHECK(rig.state().editing.selected == Selection(thingsOf(rig.state().scene->description).front()));
+    rig.driver.pressKey(Key::shift, Key::t);
+    CHECK(rig.state().editing.selected == Selection(thingsOf(rig.state().scene->description).back()));
+}
+
+void nudging(Rig& rig) {
+    selectFirst(rig);
+    const SceneDescription before = rig.state().scene->description;
+    const auto middle = [&] {
+        return commonMiddle(rig.state().scene->description, rig.state().editing.selected);
+    };
+    const Vec2 start = middle();
+    rig.driver.pressKey(Key::right);
+    const double step = middle().x - start.x;
+    CHECK(step > 0.0);
+    CHECK(middle().y == start.y);
+    rig.driver.pressKey(Key::shift, Key::up);
+    CHECK(middle().y - start.y > 5.0 * step);
+    CHECK(rig.state().playback.event == 0);
+    rig.driver.pressKey(Key::ctrl, Key::z);
+    rig.driver.pressKey(Key::ctrl, Key::z);
+    CHECK(rig.state().scene->description == before);
 }
 
 const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", lessonStep},
@@ -338,6 +376,9 @@ const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", 
                                                     {"change the scene, or", editing},
                                                     {"undo / redo", undoAndRedo},
                                                     {"copy / delete", copyAndDelete},
+                                                    {"find anything", finding},
+                                                    {"select all", choosing},
+                                                    {"move what is selected", nudging},
                                                     {"save the scene", saving},
                                                     {"copy all that is seen", sharing},
                                                     {"export what is seen", exporting},

@@ -53,7 +53,8 @@ bool cover(const Widget& a, const Widget& b) {
 
 /// A widget that covers others on purpose.
 bool isOverlay(const Widget& widget) {
-    return widget.window == "Keys" || widget.window == "Message";
+    return widget.window == "Keys" || widget.window == "Message" || widget.window == "Commands" ||
+           widget.window == "Files";
 }
 
 std::string place(const Widget& widget) {
@@ -204,6 +205,24 @@ TEST_CASE("the help, a banner and a refused run are laid out without a fault") {
         state.notice =
             "12 files are written to /a/folder with a rather long name/and another one/halfdisk-x-1";
     });
+    checkEverywhere(screens, opened(), "commands", [](AppState& state) {
+        apply(state, UnlockAll{true});
+        apply(state, ShowPalette{true});
+    });
+    checkEverywhere(screens, opened(), "commands found", [](AppState& state) {
+        apply(state, ShowPalette{true});
+        apply(state, SetQuery{"a"});
+    });
+    checkEverywhere(screens, opened(), "no such command", [](AppState& state) {
+        apply(state, ShowPalette{true});
+        apply(state, SetQuery{std::string(300, 'q')});
+    });
+    checkEverywhere(screens, opened(), "files", [](AppState& state) {
+        remember(state.recent,
+                 "/a/folder with a rather long name/and another one inside/that is not there.toml");
+        apply(state, ShowFiles{true});
+        apply(state, OpenFile{"/a/folder with a rather long name/and another one/missing.toml"});
+    });
     checkEverywhere(screens, opened(), "too many rays", [](AppState& state) {
         Settings settings = state.settings;
         settings.samples = 4096;
@@ -224,6 +243,41 @@ TEST_CASE("a scene without a lesson is laid out without a fault") {
         Faults found;
         findUnreadable(session, screen, found);
         for (const std::string& fault : found) CHECK_MESSAGE(false, fault);
+    }
+}
+
+TEST_CASE("the panel for changing a scene is laid out without a fault") {
+    const auto screens = hosts();
+    const std::pair<const char*, std::function<void(AppState&)>> kinds[] = {
+        {"the sky",
+         [](AppState& state) {
+             EditScene edit{state.scene->description, {}, false};
+             edit.scene.environment.light = Environment(Rgb(1.0));
+             edit.scene.environment.light.strip.assign(9, Rgb(0.25, 0.5, 1.0));
+             apply(state, edit);
+         }},
+        {"one thing",
+         [](AppState& state) {
+             apply(state, SelectThings{Thing{ThingKind::shape, 0}});
+         }},
+        {"several",
+         [](AppState& state) { apply(state, SelectThings{everything(state.scene->description)}); }}};
+    for (const auto& kind : kinds) {
+        Session session;
+        session.state = openLesson(testLessons(), LessonRef{"controls", 1});
+        apply(session.state, SetEditing{true});
+        kind.second(session.state);
+        askLight(session);
+        session.light.waitUntilIdle();
+        for (std::size_t i = 0; i < std::size(kScreens); ++i)
+            for (const Arrangement& arrangement : kArrangements) {
+                show(session, *screens[i], kScreens[i], arrangement);
+                Faults found;
+                findUnreadable(session, kScreens[i], found);
+                for (const std::string& fault : found)
+                    CHECK_MESSAGE(false, kind.first, " at ", kScreens[i].width, ", scale ", kScreens[i].scale,
+                                  ": ", fault);
+            }
     }
 }
 

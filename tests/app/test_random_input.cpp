@@ -23,6 +23,16 @@ struct Dice {
     bool once(std::uint32_t in) { return below(in) == 0; }
 };
 
+/// What is saved by chance under a name without a folder goes there.
+struct Within {
+    std::filesystem::path before = std::filesystem::current_path();
+
+    explicit Within(const std::filesystem::path& folder) { std::filesystem::current_path(folder); }
+    ~Within() { std::filesystem::current_path(before); }
+    Within(const Within&) = delete;
+    Within& operator=(const Within&) = delete;
+};
+
 /// Files that a hand might drop on the window.
 std::vector<std::filesystem::path> garbage(const std::filesystem::path& folder) {
     const char* const texts[] = {"",          "\xff\xfe\x01", "[[segment]]",
@@ -107,14 +117,41 @@ EditScene randomEdit(Dice& dice, const AppState& state) {
     return edit;
 }
 
+Selection randomSelection(Dice& dice, const AppState& state) {
+    Selection some;
+    for (const Thing thing : thingsOf(state.scene->description))
+        if (dice.once(2)) some.add(thing);
+    if (dice.once(5)) some.add(Thing{static_cast<ThingKind>(dice.below(3)), dice.below(600)});
+    return some;
+}
+
 Command randomEditing(Dice& dice, const AppState& state) {
-    switch (dice.below(8)) {
+    switch (dice.below(14)) {
+        case 5:
+        case 6:
+            return SelectThings{randomSelection(dice, state)};
+        case 7:
+            return MoveSelected{Vec2(dice.between(-1, 1), dice.once(20) ? 1e12 : 0.1), dice.once(2)};
+        case 8:
+            return SetMaterial{dice.once(2) ? "white" : "no such"};
+        case 9:
+            return AddMaterial{dice.below(5)};
+        case 10: {
+            const EditAct act = kEditActs[dice.below(static_cast<std::uint32_t>(kEditActs.size()))].value;
+            const bool many = thingsOf(state.scene->description).size() > 40;  // which copies would double
+            return many && act == EditAct::copy ? Command(Undo{}) : Command(ActOnSelected{act});
+        }
+        case 11:
+            return AddNew{kTools[dice.below(static_cast<std::uint32_t>(kTools.size()))].value, Vec2(0.0),
+                          Vec2(dice.between(-1, 1), dice.between(-1, 1))};
+        case 12:
+            return ChooseSkyImage{dice.once(2) ? "" : "sky.png"};
         case 0:
             return SetEditing{!dice.once(4)};
         case 1:
             return SetTool{kTools[dice.below(static_cast<std::uint32_t>(kTools.size()))].value};
         case 2:
-            return SelectThing{Thing{static_cast<ThingKind>(dice.below(3)), dice.below(6)}};
+            return SelectThings{Thing{static_cast<ThingKind>(dice.below(3)), dice.below(6)}};
         case 3:
             return Undo{};
         case 4:
@@ -126,7 +163,7 @@ Command randomEditing(Dice& dice, const AppState& state) {
 
 Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::filesystem::path>& files) {
     const auto walls = static_cast<std::uint32_t>(state.scene->scene.segments.size());
-    switch (dice.below(26)) {
+    switch (dice.below(30)) {
         case 20:
         case 21:
         case 22:
@@ -137,6 +174,14 @@ Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::
                 {randomMaker(dice), dice.once(2) ? std::optional(randomMaker(dice)) : std::nullopt}};
         case 25:
             return SetSplit{dice.between(-1, 2)};
+        case 26:
+            return ShowPalette{dice.once(2)};
+        case 27:
+            return SetQuery{dice.once(2) ? "se" : "\xff\u03b8 \xce"};
+        case 28:
+            return ShowFiles{dice.once(2)};
+        case 29:
+            return SelectEntry{dice.once(4) ? SIZE_MAX : dice.below(300)};
         case 0:
             return GoTo{"controls", dice.below(12)};
         case 1:
@@ -251,14 +296,14 @@ void letGoOfEverything(Rig& rig) {
     rig.host->resize(1280, 800);
     if (rig.state().helpShown) apply(rig.session.state, ToggleHelp{});
     rig.driver.frames(3);
-    rig.driver.pressKey(Key::escape);  // closes what is open
-    rig.driver.pressKey(Key::escape);
+    for (int i = 0; i < 3; ++i) rig.driver.pressKey(Key::escape);  // closes what is open
     apply(rig.session.state, DismissBanner{});
     rig.driver.frames(30);
 }
 
 void checkSurvives(std::uint32_t seed) {
     const LessonsCopy lessons;
+    const Within folder(lessons.folder);
     const auto files = garbage(lessons.folder);
     Dice dice{std::mt19937(seed)};
     Rig rig(openLesson(lessons.folder, LessonRef{"controls", 1}));
@@ -285,6 +330,7 @@ void checkSurvives(std::uint32_t seed) {
 /// Hands that change one scene, by keys, pointer and commands; then all is taken back.
 void checkUndoes(std::uint32_t seed) {
     const LessonsCopy lessons;
+    const Within folder(lessons.folder);
     Dice dice{std::mt19937(seed)};
     Rig rig(openScene(lessons.folder, lessons.folder / "scenes/box.toml"));
     rig.session.state.editing.path = (lessons.folder / "saved.toml").string();

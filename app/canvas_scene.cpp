@@ -7,6 +7,7 @@
 #include "app/canvas.h"
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
+#include "app/language.h"
 #include "core/nearest_wall.h"
 #include "core/overload.h"
 
@@ -111,7 +112,7 @@ void drawGrid(const Canvas& canvas) {
         const float p = canvas.screen({0.0, (first.y + i) * step}).y;
         canvas.list.AddLine({canvas.rect.min.x, p}, {canvas.rect.max.x, p}, canvas.ui.palette.grid, 1.0f);
     }
-    const std::string words = fmt::format("grid: {:g} m", step);
+    const std::string words = say("grid: {:g} m", step);
     // Above the legends, which lie on the left but may be as wide as the canvas.
     const ImVec2 size = textSize(words);
     const float up = canvas.ui.state.shows(View::field) ? legendRow(canvas, 2) : legendRow(canvas, 1);

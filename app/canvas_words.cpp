@@ -7,6 +7,7 @@
 #include <map>
 
 #include "app/draw_text.h"
+#include "app/language.h"
 #include "app/scene_words.h"
 
 namespace halfdisk {
@@ -40,18 +41,18 @@ std::string raysWords(const AppState& state) {
         std::stable_sort(most.begin(), most.end(),
                          [](const auto& a, const auto& b) { return a.second > b.second; });
         constexpr std::size_t kMostWalls = 8;
-        words = fmt::format("{} rays leave P; they meet", rays);
+        words = say("{} rays leave P; they meet", rays);
         for (std::size_t i = 0; i < std::min(most.size(), kMostWalls); ++i)
             words += fmt::format("{} {} ({})", i > 0 ? "," : "", most[i].first, most[i].second);
-        if (most.size() > kMostWalls) words += fmt::format(" and {} other walls", most.size() - kMostWalls);
-        words += fmt::format(". {} of them bring nothing.", dark);
+        if (most.size() > kMostWalls) words += say(" and {} other walls", most.size() - kMostWalls);
+        words += say(". {} of them bring nothing.", dark);
         if (gray(brightest->value) > 0.0)
-            words += fmt::format(" The brightest brings {} W/(m rad) along the direction {}.",
-                                 shown(brightest->value), placeWords(brightest->direction));
+            words += say(" The brightest brings {} W/(m rad) along the direction {}.",
+                         shown(brightest->value), placeWords(brightest->direction));
     }
     if (shadowRays > 0)
-        words += fmt::format("{}{} shadow rays go to lights; {} get through.", words.empty() ? "" : "\n",
-                             shadowRays, clear);
+        words += say("{}{} shadow rays go to lights; {} get through.", words.empty() ? "" : "\n", shadowRays,
+                     clear);
     return words;
 }
 
@@ -70,11 +71,10 @@ std::string canvasWords(const AppState& state) {
     if (!rays.empty()) words += '\n';
     words += rays;
     if (state.shows(View::paths) && state.answer && state.answer->ways) {
-        words += fmt::format("\n{} paths of light were followed, the first {} are drawn",
-                             state.answer->ways->size(),
-                             std::min<std::size_t>(kWaysDrawn, state.answer->ways->size()));
+        words += say("\n{} paths of light were followed, the first {} are drawn", state.answer->ways->size(),
+                     std::min<std::size_t>(kWaysDrawn, state.answer->ways->size()));
         if (state.answer->throughPupil)
-            words += fmt::format("; {} pass the eye's pupil", *state.answer->throughPupil);
+            words += say("; {} pass the eye's pupil", *state.answer->throughPupil);
         words += '.';
     }
     return words;

@@ -8,6 +8,7 @@
 
 #include "app/fuzzy.h"
 #include "app/key_help.h"
+#include "app/language.h"
 #include "app/offer.h"
 
 namespace halfdisk {
@@ -20,7 +21,7 @@ void nextLesson(Offer& offer) {
     const AppState& state = offer.state;
     if (state.lessons.empty()) return;
     const LessonEntry& next = state.lessons[nextLessonIndex(state)];
-    offer.addIf(next.error.empty(), fmt::format("Next lesson: {}", next.title), keyOf(KeyRow::nextLesson),
+    offer.addIf(next.error.empty(), say("Next lesson: {}", next.title), keyOf(KeyRow::nextLesson),
                 GoTo{next.slug, 0});
 }
 
@@ -46,6 +47,9 @@ void run(Offer& offer) {
     offer.add("One step of the run back", keyOf(KeyRow::alongRun, 1), StepEvents{-1});
     offer.add("First step of the run", keyOf(KeyRow::ends), SetEvent{0});
     offer.add("Last step of the run", keyOf(KeyRow::ends, 1), SetEvent{count});
+    for (const Named<Run>& other : kRuns)
+        offer.addIf(offer.state.isUnlocked(Control::step) && other.value != offer.state.run,
+                    say("Run of {}", other.name), {}, SetRun{other.value});
     offer.addIf(playback.stepping, "Show the whole run", keyOf(KeyRow::wholeRun), ShowWholeRun{});
 }
 
@@ -70,14 +74,14 @@ void screen(Offer& offer) {
 void lessons(Offer& offer) {
     for (const LessonEntry& entry : offer.state.lessons) {
         if (!entry.error.empty()) continue;
-        offer.add(fmt::format("Lesson {}: {}", entry.number, entry.title), {}, GoTo{entry.slug, 0});
+        offer.add(say("Lesson {}: {}", entry.number, entry.title), {}, GoTo{entry.slug, 0});
         for (std::size_t step = 0; step < entry.stepTitles.size(); ++step)
             offer.add(fmt::format("{}.{} {} \u203a {}", entry.number, step + 1, entry.title,
                                   entry.stepTitles[step]),
                       {}, GoTo{entry.slug, step});
     }
     for (const std::filesystem::path& file : offer.state.recent)
-        offer.add(fmt::format("Open {}", file.string()), {}, OpenFile{file});
+        offer.add(say("Open {}", file.string()), {}, OpenFile{file});
 }
 
 /// P on other walls, which only the pointer could reach else.
@@ -86,7 +90,7 @@ void walls(Offer& offer) {
     if (!state.isUnlocked(Control::point)) return;
     const std::vector<std::string>& names = state.scene->scene.segmentNames;
     for (std::uint32_t i = 0; i < std::min(names.size(), kMostWalls); ++i)
-        offer.addIf(i != state.at.segment, fmt::format("P onto {}", names[i]), {}, MovePoint{{i, 0.5}});
+        offer.addIf(i != state.at.segment, say("P onto {}", names[i]), {}, MovePoint{{i, 0.5}});
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "app/language.h"
 #include "app/light_progress.h"
 #include "app/plot_tables.h"
 #include "app/plot_words.h"
@@ -21,8 +22,8 @@ namespace fs = std::filesystem;
 std::string titleOf(const AppState& state, std::string_view name) {
     const std::string drawing = drawingTitle(state, name);
     if (!state.lesson) return drawing;
-    return fmt::format("{} ({}, step {}: {})", drawing, state.lesson->title, state.step + 1,
-                       state.currentStep()->title);
+    return say("{} ({}, step {}: {})", drawing, state.lesson->title, state.step + 1,
+               state.currentStep()->title);
 }
 
 std::string descriptionOf(const AppState& state, std::string_view name) {
@@ -87,12 +88,12 @@ void exportIfReady(Session& session, const FrameMaker& maker, const fs::path& pa
         folder = newExportFolder(parent, state);
         const std::vector<ExportFile> files = exportFiles(state, seen);
         writeExport(folder, files);
-        state.notice = fmt::format("{} files are written to {}", files.size(), folder.string());
+        state.notice = say("{} files are written to {}", files.size(), folder.string());
     } catch (const std::exception& error) {
         state.exportWished = false;
         std::error_code none;
         if (!folder.empty()) fs::remove_all(folder, none);  // it was made just now
-        state.banner = fmt::format("Nothing is exported: {}", error.what());
+        state.banner = say("Nothing is exported: {}", error.what());
     }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/draw_text.h"
+#include "app/language.h"
 #include "app/panels.h"
 #include "app/pen.h"
 #include "app/picture_stages.h"
@@ -67,8 +68,8 @@ std::optional<std::uint32_t> pointed(const LightPicture* picture, ImVec2 min, Im
     const float share = (ImGui::GetIO().MousePos.x - min.x) / (max.x - min.x);
     const auto pixel = static_cast<std::uint32_t>(std::clamp(share * count, 0.0f, count - 1.0f));
     const Statistics& value = picture->film.pixels[pixel];
-    tooltip(fmt::format("L = {} \u00b1 {:.1g} W/(m rad)\n{} passes", shown(value.mean),
-                        gray(value.standardError()), picture->film.passes));
+    tooltip(say("L = {} \u00b1 {:.1g} W/(m rad)\n{} passes", shown(value.mean), gray(value.standardError()),
+                picture->film.passes));
     return pixel;
 }
 
@@ -94,9 +95,8 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) 
     const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, words);
     const Pen list = penOf(ui);
     if (picture) {
-        const std::string white = picture->white > 0.0
-                                      ? fmt::format("white: \u2265 {} W/(m rad)", shown(picture->white))
-                                      : "all black";
+        const std::string white =
+            picture->white > 0.0 ? say("white: \u2265 {} W/(m rad)", shown(picture->white)) : "all black";
         if (title.x + textSize(white).x + 12 * ui.scale < width)
             drawText(ui, {max.x, origin.y}, ui.palette.inkSoft, white, Align::right);
         drawStrip(ui, *picture, min, max);

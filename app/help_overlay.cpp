@@ -6,6 +6,7 @@
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
 #include "app/key_help.h"
+#include "app/language.h"
 #include "app/light_progress.h"
 #include "app/panels.h"
 
@@ -111,9 +112,8 @@ void bannerBar(const Ui& ui) {
 
 void noticeBar(const Ui& ui) {
     const bool waiting = ui.state.exportWished;
-    const std::string words = waiting
-                                  ? fmt::format("The export waits for the light. {}", lightProgress(ui.state))
-                                  : ui.state.notice;
+    const std::string words =
+        waiting ? say("The export waits for the light. {}", lightProgress(ui.state)) : ui.state.notice;
     if (messageBar(ui, ui.palette.accent, words, waiting ? "Cancel" : "Dismiss"))
         ui.commands.push_back(DismissNotice{});
 }

@@ -5,6 +5,7 @@
 
 #include "app/edit_commands.h"
 #include "app/key_editor.h"
+#include "app/language.h"
 #include "app/panels.h"
 #include "lessons/sky_edit.h"
 
@@ -111,7 +112,7 @@ void commonInspector(const Ui& ui) {
         if (differ) unlike += (unlike.empty() ? "" : ", ") + std::string(key);
     if (!unlike.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
-        textWrapped(ui.widgets, fmt::format("They differ in {}; a change sets all.", unlike));
+        textWrapped(ui.widgets, say("They differ in {}; a change sets all.", unlike));
         ImGui::PopStyleColor();
     }
     bool changed = keys.changed;
@@ -138,7 +139,7 @@ void selectedCombo(const Ui& ui) {
         if (selected.single() == things[i]) index = static_cast<int>(i) + 1;
     if (selected.size() > 1) {
         index = static_cast<int>(names.size());
-        names.push_back(fmt::format("{} things", selected.size()));
+        names.push_back(say("{} things", selected.size()));
     }
     const std::vector<std::string_view> views(names.begin(), names.end());
     if (!combo(ui.widgets, "selected", index, views)) return;

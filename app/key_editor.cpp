@@ -1,4 +1,5 @@
 #include "app/key_editor.h"
+#include "app/language.h"
 
 #include <fmt/format.h>
 
@@ -79,7 +80,7 @@ bool KeyEditor::edit(const std::string& key, std::string& field, const TextRule&
 bool KeyEditor::edit(const std::string& key, std::vector<Rgb>& strip, const StripRule& rule) const {
     if (strip.empty()) return false;
     if (!scene.environment.image.empty()) {
-        text(ui.widgets, fmt::format("{}: {} angles, of the picture", key, strip.size()));
+        text(ui.widgets, say("{}: {} angles, of the picture", key, strip.size()));
         return false;
     }
     bool edited = false;
@@ -88,8 +89,7 @@ bool KeyEditor::edit(const std::string& key, std::vector<Rgb>& strip, const Stri
         const std::string from = fmt::format("{:.4g}\u00b0", static_cast<double>(i) * each);
         edited = editRow(from, &strip[i].x, 3, kLightRule) || edited;
     }
-    if (strip.size() > kMostStripShown)
-        text(ui.widgets, fmt::format("and {} more", strip.size() - kMostStripShown));
+    if (strip.size() > kMostStripShown) text(ui.widgets, say("and {} more", strip.size() - kMostStripShown));
     auto count = static_cast<std::uint32_t>(strip.size());
     const bool resized = dragNumber<std::uint32_t>(
         ui.widgets, "angles", count, {1, static_cast<std::uint32_t>(rule.most), 0.1f, "%u", false});

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/doable.h"
+#include "app/language.h"
 
 namespace halfdisk {
 
@@ -12,11 +13,11 @@ struct Offer {
     const AppState& state;
     std::vector<Doable> all;
 
-    void add(std::string name, std::string_view key, Command command) {
-        if (!isForbidden(state, command)) all.push_back({std::move(name), key, std::move(command)});
+    void add(const std::string& name, std::string_view key, Command command) {
+        if (!isForbidden(state, command)) all.push_back({std::string(tr(name)), key, std::move(command)});
     }
-    void addIf(bool there, std::string name, std::string_view key, Command command) {
-        if (there) add(std::move(name), key, std::move(command));
+    void addIf(bool there, const std::string& name, std::string_view key, Command command) {
+        if (there) add(name, key, std::move(command));
     }
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/key_help.h"
+#include "app/language.h"
 #include "app/offer.h"
 #include "app/picture_stages.h"
 
@@ -81,7 +82,7 @@ void offerSettings(Offer& offer) {
     for (std::size_t i = 0; i < kDefects.size(); ++i) {
         const Defect defect = kDefects[i].value;
         const bool on = now.defects.has(defect);
-        change(true, fmt::format("Defect {}: {}", kDefects[i].name, on ? "off" : "on"), kDigits.substr(i, 1),
+        change(true, say("Defect {}: {}", kDefects[i].name, on ? "off" : "on"), kDigits.substr(i, 1),
                [&](Settings& s) { s.defects.set(defect, !on); });
     }
     const bool printed = now.defects == DefectSet::all();
@@ -112,13 +113,13 @@ void offerEstimators(Offer& offer) {
     if (state.isUnlocked(Control::params)) paramChoices(offer, now);
     if (!state.isUnlocked(Control::estimator)) return;
     for (const EstimatorInfo* info : estimators())
-        offer.addIf(now.first->estimator != info->id, fmt::format("Estimator: {}", info->id), {},
+        offer.addIf(now.first->estimator != info->id, say("Estimator: {}", info->id), {},
                     SetMakers{{makerOf(info->id), now.second}});
     offer.add(now.second ? "Compare: one estimator again" : "Compare with a second estimator", {},
               SetMakers{{now.first, now.second ? std::nullopt : std::optional(usualMaker(*view))}});
     if (!now.second) return;
     for (const EstimatorInfo* info : estimators())
-        offer.addIf(now.second->estimator != info->id, fmt::format("Second estimator: {}", info->id), {},
+        offer.addIf(now.second->estimator != info->id, say("Second estimator: {}", info->id), {},
                     SetMakers{{now.first, makerOf(info->id)}});
 }
 

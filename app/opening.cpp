@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/edit_commands.h"
+#include "app/language.h"
 #include "app/share_text.h"
 #include "lessons/lesson_file.h"
 #include "lessons/translation.h"
@@ -24,8 +25,10 @@ Lesson readLesson(const AppState& state, const std::filesystem::path& file) {
 void listAgain(AppState& state, const std::filesystem::path& folder) {
     std::vector<LessonEntry> lessons = listLessons(folder);
     for (LessonEntry& entry : lessons)
-        if (const std::string title = translatedTitle(entry.path, state.language); !title.empty())
-            entry.title = title;
+        if (auto titles = translatedTitles(entry.path, state.language)) {
+            entry.title = titles->lesson;
+            if (titles->steps.size() == entry.stepTitles.size()) entry.stepTitles = std::move(titles->steps);
+        }
     state.lessonsFolder = folder;
     state.lessons = std::move(lessons);
 }
@@ -171,8 +174,8 @@ void reload(AppState& state) {
         const WallPoint at = state.at;
         if (isEdited(state))
             throw std::runtime_error(
-                fmt::format("{} has changed on the disk. It is not read: the scene here has unsaved changes",
-                            state.sceneOverride.string()));
+                say("{} has changed on the disk. It is not read: the scene here has unsaved changes",
+                    state.sceneOverride.string()));
         SceneDescription onDisk = loadScene(state.sceneOverride);
         if (!(onDisk == state.scene->description)) {  // else it is what was saved here
             showScene(state, std::move(onDisk), state.sceneOverride);

@@ -8,6 +8,7 @@
 #include "app/canvas_words.h"
 #include "app/draw_text.h"
 #include "app/histogram.h"
+#include "app/language.h"
 #include "app/render_sensor.h"
 #include "app/scene_words.h"
 #include "app/shown_pictures.h"
@@ -56,7 +57,7 @@ std::string integrandWords(const AppState& state) {
     std::vector<double> values;
     for (auto p = points.rbegin(); p != points.rend(); ++p) values.push_back(gray(p->radiance));
     const auto angle = [](const IntegrandPoint& p) { return 90.0 - p.theta * kDegrees; };
-    return fmt::format(
+    return say(
         "Light L against the angle from the normal, -90 to 90 degrees (positive to the right): from {} to {} "
         "W/(m rad), most at {:.0f} degrees. Weighed by the cosine, most is {} at {:.0f} degrees.\n"
         "Mean of L in eight equal parts from -90 to 90 degrees: {}.",
@@ -67,16 +68,16 @@ std::string integrandWords(const AppState& state) {
 std::string errorWords(const AppState& state) {
     if (!state.answer || state.answer->errors.size() < 2) return "Not measured, for no exact value is known.";
     const ErrorPoint &first = state.answer->errors.front(), &last = state.answer->errors.back();
-    std::string words = fmt::format(
+    std::string words = say(
         "Root mean square error of E over 48 runs each, N doubling from {:.0f} to {:.0f}: from {} W/m down "
         "to "
         "{} W/m.",
         first.samples, last.samples, shown(first.rms), shown(last.rms));
     if (first.rms > 0.0 && last.rms > 0.0)
-        words += fmt::format(
-            " That is {:.3g} times less for {:.0f} times as many samples (the square root is "
-            "{:.3g}).",
-            first.rms / last.rms, last.samples / first.samples, std::sqrt(last.samples / first.samples));
+        words +=
+            say(" That is {:.3g} times less for {:.0f} times as many samples (the square root is "
+                "{:.3g}).",
+                first.rms / last.rms, last.samples / first.samples, std::sqrt(last.samples / first.samples));
     return words;
 }
 
@@ -86,7 +87,7 @@ std::string histogramWords(const AppState& state) {
     const auto fullest = std::max_element(histogram.counts.begin(), histogram.counts.end());
     const auto bin = static_cast<std::size_t>(fullest - histogram.counts.begin());
     const auto zeros = std::count(state.answer->histogramOf.begin(), state.answer->histogramOf.end(), 0.0);
-    return fmt::format(
+    return say(
         "{:.0f} single samples bring from {} to {} W/m, in the mean {}. {:.3g} % bring nothing at all. The "
         "fullest of {} bins is that from {} to {} W/m, with {:.3g} %.",
         histogram.counted, shown(histogram.low), shown(histogram.high), shown(histogram.mean),
@@ -100,13 +101,13 @@ std::string refusals(const AppState& state, View view) {
     if (!state.answer) return words;
     for (const PictureSet* pictures : {&state.answer->pictures, &state.answer->against})
         if (const auto& picture = pictures->of(view); picture && !picture->refusal.empty())
-            words += fmt::format("{}No picture: {}.", words.empty() ? "" : "\n", picture->refusal);
+            words += say("{}No picture: {}.", words.empty() ? "" : "\n", picture->refusal);
     return words;
 }
 
 std::string costWords(const LightPicture& picture) {
-    std::string words = fmt::format("{} rays", picture.film.counts.rays);
-    if (picture.noise) words += fmt::format(", noise {:.2g} %", 100.0 * *picture.noise);
+    std::string words = say("{} rays", picture.film.counts.rays);
+    if (picture.noise) words += say(", noise {:.2g} %", 100.0 * *picture.noise);
     if (!picture.complete) words += ", not complete yet";
     return words;
 }
@@ -118,11 +119,11 @@ std::string rowWords(const AppState& state, View view, std::string_view unit, st
     for (const ShownPicture& shownOne : shownPictures(state, view)) {
         const std::vector<double> values = graysOf(*shownOne.picture);
         const auto [least, most] = std::minmax_element(values.begin(), values.end());
-        words += fmt::format("{}{} ({}): from {} to {} {}, most {}.\nMean of eight equal parts {}: {}.",
-                             words.empty() ? "" : "\n", shownOne.maker, costWords(*shownOne.picture),
-                             shown(*least), shown(*most), unit,
-                             where(*shownOne.picture, static_cast<std::uint32_t>(most - values.begin())),
-                             ends, listed(partMeans(values, kParts)));
+        words += say("{}{} ({}): from {} to {} {}, most {}.\nMean of eight equal parts {}: {}.",
+                     words.empty() ? "" : "\n", shownOne.maker, costWords(*shownOne.picture), shown(*least),
+                     shown(*most), unit,
+                     where(*shownOne.picture, static_cast<std::uint32_t>(most - values.begin())), ends,
+                     listed(partMeans(values, kParts)));
     }
     const std::string refused = refusals(state, view);
     if (!words.empty() && !refused.empty()) words += '\n';
@@ -132,11 +133,10 @@ std::string rowWords(const AppState& state, View view, std::string_view unit, st
 
 std::string profileWords(const AppState& state) {
     const std::string& wall = state.scene->scene.segmentNames[state.at.segment];
-    return rowWords(state, View::profile, "W/m", fmt::format("from the beginning of {} to its end", wall),
+    return rowWords(state, View::profile, "W/m", say("from the beginning of {} to its end", wall),
                     [&](const LightPicture& picture, std::uint32_t bin) {
-                        return fmt::format(
-                            "{:.3g} m from the beginning",
-                            PixelPlaces(picture.sensor, state.answer->asked.scene->index).at(bin)[0]);
+                        return say("{:.3g} m from the beginning",
+                                   PixelPlaces(picture.sensor, state.answer->asked.scene->index).at(bin)[0]);
                     });
 }
 
@@ -144,7 +144,7 @@ std::string eyeStripWords(const AppState& state) {
     if (!state.scene->scene.eye) return "This scene has no eye.";
     return rowWords(state, View::eye, "W/(m rad)", "from left to right",
                     [&](const LightPicture& picture, std::uint32_t pixel) {
-                        return fmt::format(
+                        return say(
                             "{:.0f} degrees to the right of the middle",
                             PixelPlaces(picture.sensor, state.answer->asked.scene->index).at(pixel)[0]);
                     });
@@ -159,7 +159,7 @@ std::string fieldWords(const AppState& state) {
         const auto [least, most] = std::minmax_element(values.begin(), values.end());
         const PixelPlaces places(shownOne.picture->sensor, state.answer->asked.scene->index);
         const auto at = places.at(static_cast<std::uint32_t>(most - values.begin()));
-        words += fmt::format(
+        words += say(
             "{}{} ({}): fluence from {} to {} W/m, most at {}. The mean in {} parts from left to right, in "
             "{} "
             "rows "
@@ -172,7 +172,7 @@ std::string fieldWords(const AppState& state) {
             for (std::uint32_t y = from; y < to; ++y)
                 for (std::uint32_t x = 0; x < field.width; ++x)
                     row[x] += values[std::size_t{y} * field.width + x] / (to - from);
-            words += fmt::format("\nrow {}: {}", part + 1, listed(partMeans(row, across)));
+            words += say("\nrow {}: {}", part + 1, listed(partMeans(row, across)));
         }
     }
     const std::string refused = refusals(state, View::field);
@@ -199,7 +199,7 @@ std::string drawingTitle(const AppState& state, std::string_view name) {
     if (name == "error") return "Error against N";
     if (name == "histogram") return "What single samples bring";
     if (name == "profile")
-        return fmt::format("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
+        return say("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
     if (name == "eye") return "What the eye sees";
     if (name == "field") return "The field of light";
     return "The scene";

@@ -7,6 +7,7 @@
 #include "app/draw_text.h"
 #include "app/drawn_curve.h"
 #include "app/histogram.h"
+#include "app/language.h"
 #include "app/panels.h"
 #include "app/pen.h"
 #include "app/plot.h"
@@ -86,8 +87,8 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
         const auto index = static_cast<std::size_t>(std::clamp((90.0 - angle) / 180.0, 0.0, 0.999999) *
                                                     static_cast<double>(answer.integrand.size()));
         const IntegrandPoint& p = answer.integrand[index];
-        tooltip(fmt::format("\u03b8 = {:.0f}\u00b0\nL = {} W/(m rad)\nL cos\u03b8 = {}", angle,
-                            shown(p.radiance), shown(p.radiance * std::sin(p.theta))));
+        tooltip(say("\u03b8 = {:.0f}\u00b0\nL = {} W/(m rad)\nL cos\u03b8 = {}", angle, shown(p.radiance),
+                    shown(p.radiance * std::sin(p.theta))));
     }
 }
 
@@ -144,8 +145,8 @@ void errorPlot(const Ui& ui, ImVec2 size) {
             std::min_element(answer.errors.begin(), answer.errors.end(), [&](const auto& a, const auto& b) {
                 return std::abs(std::log(a.samples / at)) < std::abs(std::log(b.samples / at));
             });
-        tooltip(fmt::format("N = {:.0f}: rms error {} \u00b1 {}", nearest->samples, shown(nearest->rms),
-                            shown(nearest->spread)));
+        tooltip(say("N = {:.0f}: rms error {} \u00b1 {}", nearest->samples, shown(nearest->rms),
+                    shown(nearest->spread)));
     }
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "app/draw_text.h"
+#include "app/language.h"
 #include "app/panels.h"
 #include "app/pen.h"
 #include "app/plot.h"
@@ -101,13 +102,13 @@ void profilePlot(const Ui& ui, ImVec2 size) {
     for (const Curve& curve : curves) plotKey(ui, plot, row++, curve.color, curve.title.c_str());
     if (!plot.hovered()) return;
     const double place = plot.xAt(ImGui::GetIO().MousePos.x);
-    std::string words = fmt::format("{:.3g} m along the wall", place);
+    std::string words = say("{:.3g} m along the wall", place);
     for (const Curve& curve : curves) {
         const PixelStatistics& bins = curve.picture->film.pixels;
         const double share = std::clamp(place / length, 0.0, 0.999999);
         const Statistics bin = bins[static_cast<std::size_t>(share * static_cast<double>(bins.size()))];
-        words += fmt::format("\nE = {} \u00b1 {:.1g} W/m  {}", shown(bin.mean), gray(bin.standardError()),
-                             curve.title);
+        words +=
+            say("\nE = {} \u00b1 {:.1g} W/m  {}", shown(bin.mean), gray(bin.standardError()), curve.title);
     }
     tooltip(words);
 }

@@ -10,6 +10,7 @@
 #include "app/export_files.h"
 #include "app/file_watch.h"
 #include "app/frame.h"
+#include "app/opening.h"
 #include "app/recent_files.h"
 #include "app/window_host.h"
 

@@ -97,15 +97,23 @@ void translateLesson(Lesson& lesson, const std::string& language) {
     if (isThere(file)) translateLesson(lesson, file);
 }
 
-std::string translatedTitle(const std::filesystem::path& lessonFile, const std::string& language) {
+std::optional<Titles> translatedTitles(const std::filesystem::path& lessonFile, const std::string& language) {
     const std::filesystem::path file = translationOf(lessonFile, language);
-    if (language.empty() || !isThere(file)) return {};
+    if (language.empty() || !isThere(file)) return std::nullopt;
     try {
-        const TomlValue document = parseToml(readTextFile(file), file.string());
-        const TomlEntry* title = std::get<TomlTable>(document.data).find("title");
-        return title ? readText(file.string(), "title", title->value, kHeadingRule) : std::string();
+        const std::string name = file.string();
+        const TomlValue document = parseToml(readTextFile(file), name);
+        const auto titleOf = [&](const TomlValue& value) {
+            const TomlEntry* title = readTable(name, "step", value).find("title");
+            return title ? readText(name, "title", title->value, kHeadingRule) : std::string();
+        };
+        Titles titles{titleOf(document), {}};
+        if (const TomlEntry* steps = std::get<TomlTable>(document.data).find("step"))
+            for (const TomlValue& step : readArray(name, "step", steps->value, "tables [[step]]"))
+                titles.steps.push_back(titleOf(step));
+        return titles;
     } catch (const InputError&) {
-        return {};
+        return std::nullopt;
     }
 }
 

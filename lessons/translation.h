@@ -7,7 +7,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "lessons/lesson.h"
 
@@ -21,8 +23,13 @@ void translateLesson(Lesson& lesson, const std::filesystem::path& file);
 /// no language.
 void translateLesson(Lesson& lesson, const std::string& language);
 
-/// What a lesson is called in the language; empty if no file says so. A file that cannot be read says nothing
-/// here: the message comes when the lesson is opened.
-std::string translatedTitle(const std::filesystem::path& lessonFile, const std::string& language);
+struct Titles {
+    std::string lesson;
+    std::vector<std::string> steps;
+};
+
+/// What a lesson and its steps are called in the language; nothing if no file says so. A file that cannot be
+/// read says nothing here: the message comes when the lesson is opened.
+std::optional<Titles> translatedTitles(const std::filesystem::path& lessonFile, const std::string& language);
 
 }  // namespace halfdisk

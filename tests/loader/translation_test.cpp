@@ -60,7 +60,10 @@ TEST_CASE("a translation changes the words and nothing else") {
         if (step.goal) step.goal->says = english.steps[i].goal->says;
     }
     CHECK(lesson == english);
-    CHECK(translatedTitle(course.lesson, "de") == "Licht");
+    const auto titles = translatedTitles(course.lesson, "de");
+    REQUIRE(titles);
+    CHECK(titles->lesson == "Licht");
+    CHECK(titles->steps == std::vector<std::string>{"Erstens", "Zweitens"});
 }
 
 TEST_CASE("without a file for the language, or without a language, a lesson stays English") {
@@ -70,7 +73,7 @@ TEST_CASE("without a file for the language, or without a language, a lesson stay
         Lesson lesson = english;
         translateLesson(lesson, language);
         CHECK(lesson == english);
-        CHECK(translatedTitle(course.lesson, language).empty());
+        CHECK_FALSE(translatedTitles(course.lesson, language));
     }
 }
 

@@ -62,13 +62,17 @@ double lightShare(const AppState& state) {
     return std::min(0.99, sum / static_cast<double>(parts.size()));
 }
 
-std::string lightProgress(const AppState& state) {
+std::string lightParts(const AppState& state) {
     std::string words;
     for (const Part& part : partsOf(state)) {
         words += fmt::format("{}{} ", words.empty() ? "" : ", ", part.name);
         words += part.share >= 1.0 ? "done" : fmt::format("{} %", percent(part.share));
     }
-    return fmt::format("{} %: {}", percent(lightShare(state)), words);
+    return words;
+}
+
+std::string lightProgress(const AppState& state) {
+    return fmt::format("{} %: {}", percent(lightShare(state)), lightParts(state));
 }
 
 }  // namespace halfdisk

@@ -13,6 +13,9 @@ bool lightIsComplete(const AppState& state);
 /// 0 ... 1: P counts as much as each picture.
 double lightShare(const AppState& state);
 
+/// `P done, eye 30 %, field 55 %`
+std::string lightParts(const AppState& state);
+
 /// `42 %: P done, eye 30 %, field 55 %`
 std::string lightProgress(const AppState& state);
 

@@ -41,7 +41,7 @@ void waitForLight(Session& session) {
     while (!session.light.waitUntilIdle(kLook)) {
         session.state.answer = session.light.latest();
         const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-        if (bar.isShown()) bar.tell(lightShare(session.state), elapsed.count(), lightProgress(session.state));
+        if (bar.isShown()) bar.tell(lightShare(session.state), elapsed.count(), lightParts(session.state));
     }
 }
 

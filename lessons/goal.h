@@ -36,7 +36,7 @@ struct Goal {
     GoalQuantity quantity = GoalQuantity::irradiance;
     Relation relation = Relation::atLeast;  ///< not `equals`
     double number = 0.0;
-    std::vector<int> lines;  ///< of the published listing, of GoalQuantity::line: any of them is right
+    std::vector<int> lines{};  ///< of the published listing, of GoalQuantity::line: any of them is right
     bool operator==(const Goal&) const = default;
 };
 

@@ -52,6 +52,9 @@ struct AppState {
     WallPoint at;
     Playback playback;
     Run run = Run::castRay;  ///< that is stepped through
+    FieldScale scale = FieldScale::light;
+    std::optional<std::size_t> shownSample;                ///< of the list, under the pointer: its step
+    std::optional<std::pair<double, double>> sampleRange;  ///< W/m: the list shows only what adds so much
     ViewSet show;
     Makers makers;  ///< of the pictures
     bool unlockAll = false;

@@ -54,6 +54,8 @@ void drawPoint(const Canvas& canvas, Vec2 P, Vec2 N);
 void drawGaze(const Canvas& canvas);
 /// What the term that is looked up speaks of.
 void drawTopic(const Canvas& canvas);
+/// The one of the list that is under the pointer.
+void drawShownSample(const Canvas& canvas);
 void drawRayLegend(const Canvas& canvas);
 void drawFieldLegend(const Canvas& canvas);
 

@@ -7,6 +7,8 @@
 
 #include "app/canvas.h"
 #include "app/draw_text.h"
+#include "app/false_color.h"
+#include "app/language.h"
 #include "app/picture_stages.h"
 #include "app/tone.h"
 #include "core/surface.h"
@@ -25,8 +27,23 @@ const LightPicture* shownField(const AppState& state) {
     return second && !second->colors.empty() && (!first || first->colors.empty()) ? second : first;
 }
 
-std::string rangeEnd(const LightPicture& field) {
-    return field.white > 0.0 ? "\u2265 " + shown(field.white) + " W/m" : "no light at all";
+/// The picture's colours as they are asked for.
+const std::vector<std::uint32_t>& colorsOf(const AppState& state, const LightPicture& field) {
+    if (state.scale == FieldScale::logarithm) return field.logColors;
+    return state.scale == FieldScale::noise ? field.noiseColors : field.colors;
+}
+
+/// Under the left end of the legend's scale.
+std::string rangeStart(const AppState& state, const LightPicture& field) {
+    const double least = std::pow(10.0, -kScaleDecades);
+    if (state.scale == FieldScale::noise) return say("noise {:g} %", 100.0 * least);
+    if (state.scale == FieldScale::logarithm) return say("fluence {}", shown(least * field.white));
+    return std::string(tr("fluence 0"));
+}
+
+std::string rangeEnd(const AppState& state, const LightPicture& field) {
+    if (state.scale == FieldScale::noise) return "\u2265 100 %";
+    return field.white > 0.0 ? fmt::format("\u2265 {} W/m", shown(field.white)) : "no light at all";
 }
 
 /// So low that words would lie on each other.
@@ -40,9 +57,11 @@ void drawScale(const Canvas& canvas, ImVec2 min, ImVec2 max) {
     constexpr int kSteps = 32;
     const float step = (max.x - min.x) / kSteps;
     for (int i = 0; i < kSteps; ++i) {
-        const int byte = srgbByte((i + 0.5) / kSteps);
+        const std::uint8_t byte = srgbByte((i + 0.5) / kSteps);
         const float x = min.x + step * static_cast<float>(i);
-        canvas.list.AddRectFilled({x, min.y}, {x + step, max.y}, IM_COL32(byte, byte, byte, 255));
+        const bool plain = canvas.ui.state.scale == FieldScale::light;
+        canvas.list.AddRectFilled({x, min.y}, {x + step, max.y},
+                                  plain ? packed(byte, byte, byte) : falseColor((i + 0.5) / kSteps));
     }
     canvas.list.AddRect(min, max, canvas.ui.palette.wallBack);
 }
@@ -53,6 +72,8 @@ namespace {
 
 void drawOneField(const Canvas& canvas, const LightPicture& picture) {
     const Field& field = std::get<Field>(picture.sensor);
+    const std::vector<std::uint32_t>& all = colorsOf(canvas.ui.state, picture);
+    if (all.size() != picture.colors.size()) return;
     const Vec2 cell = (field.max - field.min) / Vec2(field.width, field.height);
     const auto left = [&](std::uint32_t column) {
         return std::round(canvas.screen({field.min.x + column * cell.x, 0.0}).x);
@@ -62,12 +83,12 @@ void drawOneField(const Canvas& canvas, const LightPicture& picture) {
     };
     // On the screen runs of one colour, to the sheet a picture.
     if (canvas.list.drawing)
-        canvas.list.drawing->cells({left(0), top(0)}, {left(field.width), top(field.height)}, picture.colors,
+        canvas.list.drawing->cells({left(0), top(0)}, {left(field.width), top(field.height)}, all,
                                    field.width, kOpacity);
     for (std::uint32_t row = 0; row < field.height; ++row) {
         const float high = top(row), low = top(row + 1);
         if (low <= canvas.rect.min.y || high >= canvas.rect.max.y) continue;
-        const std::uint32_t* colors = picture.colors.data() + std::size_t{row} * field.width;
+        const std::uint32_t* colors = all.data() + std::size_t{row} * field.width;
         for (std::uint32_t begin = 0, end = 0; begin < field.width; begin = end) {
             while (end < field.width && colors[end] == colors[begin]) ++end;
             canvas.list.screen.AddRectFilled({left(begin), high}, {left(end), low},
@@ -179,9 +200,10 @@ void drawFieldLegend(const Canvas& canvas) {
         drawText(canvas.ui, at, palette.inkSoft, words);
         return;
     }
-    const std::string most = rangeEnd(*picture);
+    const std::string most = rangeEnd(state, *picture), start = rangeStart(state, *picture);
     const float scale = canvas.px(90), others = scale + textSize(most).x + canvas.px(40);
-    const std::string_view least = textSize("fluence 0").x + others > canvas.rect.width() ? "0" : "fluence 0";
+    const std::string_view least =
+        textSize(start).x + others > canvas.rect.width() ? "" : std::string_view(start);
     const float first = textSize(least).x + gap;
     plate(first + scale + gap + textSize(most).x);
     drawText(canvas.ui, at, palette.inkSoft, least);

@@ -167,6 +167,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     drawPoint(canvas, P, N);
     drawCurrentStep(canvas);
     drawTopic(canvas);
+    drawShownSample(canvas);
     drawSplit(canvas);
     const ImVec2 p = canvas.screen(P);
     const ImVec2 below{p.x - canvas.px(20) * static_cast<float>(N.x),

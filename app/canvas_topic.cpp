@@ -37,6 +37,17 @@ void lightUpSources(const Canvas& canvas) {
 
 }  // namespace
 
+void drawShownSample(const Canvas& canvas) {
+    const AppState& state = canvas.ui.state;
+    if (!state.shownSample || !state.answer || !state.answer->record || state.answer->pathRun) return;
+    const auto& events = state.answer->record->events;
+    const std::size_t passed = *state.shownSample;
+    if (passed == 0 || passed > events.size()) return;
+    const Event& event = events[passed - 1];
+    const Vec2 to = event.missed ? canvas.farAlong(event.from, event.to - event.from) : event.to;
+    canvas.line(event.from, to, canvas.ui.palette.accent, canvas.px(4));
+}
+
 void drawTopic(const Canvas& canvas) {
     const AppState& state = canvas.ui.state;
     const Palette& palette = canvas.ui.palette;

@@ -131,6 +131,9 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](EndStroke) { state.drawing = false; },
             [&](LightTopic c) { state.topic = c.topic; },
             [&](const SetLanguage& c) { attempt(state, [&](AppState& next) { setLanguage(next, c.code); }); },
+            [&](SetFieldScale c) { state.scale = c.scale; },
+            [&](ShowSample c) { state.shownSample = c.event; },
+            [&](const FilterSamples& c) { state.sampleRange = c.range; },
             [&](SetRun c) {
                 if (state.run == c.run) return;
                 state.run = c.run;

@@ -35,6 +35,15 @@ struct SetSettings {
 struct SetRun {
     Run run;
 };
+struct SetFieldScale {
+    FieldScale scale;
+};
+struct ShowSample {
+    std::optional<std::size_t> event;  ///< step of the run; for the next frame only
+};
+struct FilterSamples {
+    std::optional<std::pair<double, double>> range;  ///< W/m, of the contribution; none: all
+};
 struct SetMakers {
     Makers makers;
 };
@@ -176,13 +185,14 @@ struct DismissNotice {};  ///< and no export any more
 
 using Command =
     std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, CopyState, Reload,
-                 SetSettings, SetRun, SetMakers, SetSplit, SetEditing, SetTool, SetSnap, SelectThings,
-                 ActOnSelected, AddNew, MoveSelected, SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture,
-                 EditScene, Undo, Redo, SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine,
-                 JumpToSource, ShowWholeRun, TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip,
-                 SetUiScale, SetView, LookAlong, ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve,
-                 EndStroke, LightTopic, SetLanguage, ToggleHelp, ShowPalette, SetQuery, SelectEntry,
-                 ShowFiles, SetFilePath, SelectFile, DismissBanner, ExportSeen, DismissNotice>;
+                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SetMakers, SetSplit,
+                 SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected, SetMaterial,
+                 AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene,
+                 MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, TogglePlay,
+                 SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, ShowPane,
+                 HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage,
+                 ToggleHelp, ShowPalette, SetQuery, SelectEntry, ShowFiles, SetFilePath, SelectFile,
+                 DismissBanner, ExportSeen, DismissNotice>;
 using Commands = std::vector<Command>;
 
 /// What a class may not do on a machine that stands for all: it does nothing.

@@ -35,7 +35,8 @@ void scenePanels(const Ui& ui, ImVec2 size) {
 void stage(const Ui& ui) {
     const AppState& state = ui.state;
     const bool code = state.shows(View::code), profile = state.shows(View::profile);
-    const bool plot = profile || state.shows(View::integrand);
+    const bool list = state.shows(View::samples) && !code;
+    const bool plot = profile || list || state.shows(View::integrand);
     const bool low = ImGui::GetContentRegionAvail().y < kLowStage * ui.scale;
     if (low && (code || plot)) {
         bool hidden = state.canvasHidden;
@@ -49,6 +50,8 @@ void stage(const Ui& ui) {
     if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     if (code)
         codePanel(ui, rest);
+    else if (list)
+        samplesPanel(ui, rest);
     else if (profile)
         profilePlot(ui, rest);
     else
@@ -69,8 +72,10 @@ void controls(const Ui& ui) {
     }
     std::vector<void (*)(const Ui&, ImVec2)> plots;
     const bool code = state.shows(View::code), profile = state.shows(View::profile);
-    if (code && profile) plots.push_back(profilePlot);
-    if ((code || profile) && state.shows(View::integrand)) plots.push_back(integrandPlot);
+    const bool list = state.shows(View::samples);
+    if (code && list) plots.push_back(samplesPanel);
+    if ((code || list) && profile) plots.push_back(profilePlot);
+    if ((code || profile || list) && state.shows(View::integrand)) plots.push_back(integrandPlot);
     if (state.shows(View::error)) plots.push_back(errorPlot);
     if (state.shows(View::histogram)) plots.push_back(histogramPlot);
     if (plots.empty()) return;
@@ -209,6 +214,7 @@ void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {
     }
 
     state.topic = Topic::none;
+    state.shownSample.reset();
     for (const Command& command : commands) apply(state, command);
     if (!state.toClipboard.empty()) ImGui::SetClipboardText(state.toClipboard.c_str());
     state.toClipboard.clear();

@@ -11,7 +11,7 @@ namespace halfdisk {
 std::optional<double> valueOf(const Goal& goal, const AppState& state);
 
 /// Bins of the curve that a reader draws, over theta from 0 to pi.
-inline constexpr std::size_t kDrawnBins = 60;
+inline constexpr std::size_t kDrawnBins = 180;
 
 /// Whether the step asks for a curve; what is exact stays hidden until it is drawn, and the pointer let go.
 bool asksForCurve(const AppState& state);

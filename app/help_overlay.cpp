@@ -49,6 +49,7 @@ void helpOverlay(const Ui& ui) {
     ImGui::Begin("Keys", nullptr,
                  ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
                      ImGuiWindowFlags_NoSavedSettings);
+    languageButtons(ui);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {ImGui::GetStyle().ItemSpacing.x, 2 * ui.scale});
     const std::size_t half = (kKeyHelp.size() + 1) / 2;
     const float gap = 1.5f * ImGui::GetFontSize(), indent = widestKeys(ui) + gap;
@@ -69,7 +70,6 @@ void helpOverlay(const Ui& ui) {
     }
     ImGui::EndGroup();
     ImGui::PopStyleVar();
-    languageButtons(ui);
     if (button(ui.widgets, "Close")) ui.commands.push_back(ToggleHelp{});
     sameLineIfFits("Find by name ...");
     if (button(ui.widgets, "Find by name ...")) {

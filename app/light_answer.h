@@ -62,6 +62,17 @@ struct ErrorPoint {
     double spread;  ///< one standard error of rms
 };
 
+/// One sample of the run, or one path of another estimator's.
+struct SampleRow {
+    std::size_t event = 0;               ///< step of the run at which its value is known
+    std::uint32_t number = 0;            ///< counted from 0
+    std::uint32_t segment = kNoSegment;  ///< the wall or lamp that it met; none: the sky, or many walls
+    enum class Kind : std::uint8_t { halfDisk, light, path } kind = Kind::halfDisk;
+    double theta = 0.0;  ///< rad from the tangent (halfDisk)
+    Rgb brings{0.0};     ///< W/(m rad) (halfDisk)
+    Rgb adds{0.0};       ///< W/m, to the estimate of E
+};
+
 /// What one defect alone does to E.
 struct Damage {
     Defect defect;
@@ -79,6 +90,7 @@ struct LightAnswer {
     // stage 1: one run of N samples, every step recorded
     std::shared_ptr<const Record> record;
     RecordSummary summary;
+    std::shared_ptr<const std::vector<SampleRow>> rows;  ///< of the run that is shown
     std::shared_ptr<const PathRun> pathRun;  ///< of another estimator than castRay, if one is asked for
     Irradiance estimate;
     std::optional<Rgb> radiance;  ///< that P's wall sends out, if it is diffuse: else it depends on the view

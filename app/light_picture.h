@@ -16,12 +16,18 @@ struct LightPicture {
     Sensor sensor;
     Film film;
     std::vector<std::uint32_t> colors;  ///< of each pixel, packed as ImGui's (IM_COL32), opaque
+    /// The same in false colours, where the picture is a field: over kScaleDecades powers of ten below white,
+    /// and by standard error / mean over as many below 1.
+    std::vector<std::uint32_t> logColors{}, noiseColors{};
     double white =
         1.0;  ///< what is shown as white, in the unit of the sensor; more is cut off; 0: all is black
     std::optional<double> noise;  ///< see noiseOf
     std::string refusal;          ///< not empty: why there is no picture
     bool complete = false;
 };
+
+/// Of the false colours.
+inline constexpr double kScaleDecades = 4.0;
 
 /// Ways of light that are followed to be counted, and the first of them that are drawn.
 inline constexpr std::uint32_t kWaysFollowed = 2000, kWaysDrawn = 120;

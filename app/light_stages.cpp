@@ -101,6 +101,42 @@ RecordSummary summaryOf(const Record& record) {
     return summary;
 }
 
+std::vector<SampleRow> rowsOf(const Record& record, const RecordSummary& summary, std::uint32_t N) {
+    std::vector<SampleRow> rows;
+    SampleRow row;
+    for (const std::uint32_t i : summary.atP) {
+        const Event& event = record.events[i];
+        if (event.kind == EventKind::light) {
+            rows.push_back(
+                {i + 1, event.n, event.segment, SampleRow::Kind::light, 0.0, Rgb(0.0), event.value});
+            continue;
+        }
+        if (event.kind == EventKind::sample) row = {i, event.n};
+        if (event.kind == EventKind::sample) row.theta = event.theta;
+        if (event.kind == EventKind::arrival) row.brings = event.value;
+        if (event.kind != EventKind::accumulate) continue;
+        row.event = i + 1;
+        row.segment = event.segment;
+        row.adds = event.value / static_cast<double>(N);
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+/// A row for each path, or for each two that are joined.
+std::vector<SampleRow> rowsOf(const PathRun& run, bool joined) {
+    std::vector<SampleRow> rows;
+    for (std::size_t i = 0; i < run.record.events.size(); ++i) {
+        const PathEvent& event = run.record.events[i];
+        const std::uint32_t number = joined ? event.path / 2 : event.path;
+        if (rows.empty() || rows.back().number != number)
+            rows.push_back({i, number, kNoSegment, SampleRow::Kind::path});
+        rows.back().event = i + 1;
+        rows.back().adds += event.value / static_cast<double>(run.divisor);
+    }
+    return rows;
+}
+
 /// One point of the error plot; nothing if it would take too many rays.
 std::optional<ErrorPoint> measureError(const LightAnswer& answer, std::uint32_t N,
                                        const std::atomic<bool>& cancelled) {
@@ -185,6 +221,8 @@ void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     if (asked.settings.sampler != Sampler::stratified && own.count > 1)
         answer.standardError = own.standardError();
     answer.summary = summaryOf(*record);
+    answer.rows = std::make_shared<const std::vector<SampleRow>>(
+        rowsOf(*record, answer.summary, asked.settings.samples));
     answer.record = std::move(record);
 }
 
@@ -199,6 +237,8 @@ void recordPathRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
         answer.pathRun = std::make_shared<const PathRun>(
             recordPaths(info, asked.scene->index, answer.point, asked.settings, params,
                         [&] { return cancelled.load(std::memory_order_relaxed); }));
+        answer.rows = std::make_shared<const std::vector<SampleRow>>(
+            rowsOf(*answer.pathRun, asked.run == Run::bidirectional));
     } catch (const Stopped&) {
         // A newer question waits: nobody will ask for this run.
     }

@@ -75,6 +75,22 @@ void costLine(const Ui& ui, const std::shared_ptr<const LightPicture>& picture) 
     ImGui::PopStyleColor();
 }
 
+/// Of the field's colours.
+void chooseScale(const Ui& ui) {
+    std::array<std::string_view, kFieldScales.size()> names;
+    int index = 0;
+    for (std::size_t i = 0; i < kFieldScales.size(); ++i) {
+        names[i] = kFieldScales[i].name;
+        if (kFieldScales[i].value == ui.state.scale) index = static_cast<int>(i);
+    }
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - textSize("estimator").x -
+                         2 * ImGui::GetStyle().ItemInnerSpacing.x);
+    if (combo(ui.widgets, "colours", index, names))
+        ui.commands.push_back(SetFieldScale{kFieldScales[static_cast<std::size_t>(index)].value});
+    ImGui::PopItemWidth();
+    tooltip(kFieldScales[static_cast<std::size_t>(index)].meaning);
+}
+
 /// `LD 41 %  LDD 30 %`: by what the paths met.
 void wordsLine(const Ui& ui, std::size_t all) {
     constexpr std::size_t kMostWords = 6;
@@ -157,6 +173,7 @@ void makersPanel(const Ui& ui) {
             "in one plot");
     }
     if (!(makers == state.makers)) ui.commands.push_back(SetMakers{makers});
+    if (state.shows(View::field)) chooseScale(ui);
 }
 
 }  // namespace halfdisk

@@ -62,6 +62,7 @@ void showDescribed(AppState& state, SceneDescription scene, const std::filesyste
     state.show = state.show - state.rules.hidden;
     state.makers = {};
     state.run = Run::castRay;
+    state.scale = FieldScale::light;
     askAnew(state);
     state.playback.stepping = false;
 }
@@ -115,6 +116,8 @@ void enterStep(AppState& state, std::size_t step) {
     state.settings = values.settings;
     state.makers = values.makers;
     state.run = values.run;
+    state.scale = values.scale;
+    state.sampleRange.reset();
     state.split = 0.5f;
     askAnew(state);
     const bool stepping = entered.unlock == Control::step || entered.values.event > 0;
@@ -148,6 +151,7 @@ void showShared(AppState& state, const std::string& text) {
     state.show = shared.show - state.rules.hidden;
     state.makers = shared.makers;
     state.run = shared.run;
+    state.scale = shared.scale;
     askAnew(state);
     state.playback = shared.playback;
     state.fitCamera = true;

@@ -19,6 +19,8 @@ void editPanel(const Ui& ui);
 void inspector(const Ui& ui);
 /// What makes the pictures, and what they cost.
 void makersPanel(const Ui& ui);
+/// Every sample of the run, with what it brings.
+void samplesPanel(const Ui& ui, ImVec2 size);
 void profilePlot(const Ui& ui, ImVec2 size);
 void integrandPlot(const Ui& ui, ImVec2 size);
 void errorPlot(const Ui& ui, ImVec2 size);

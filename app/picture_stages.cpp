@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/false_color.h"
+#include "app/light_answer.h"
 #include "app/tone.h"
 #include "core/estimators.h"
 #include "core/render.h"
@@ -26,11 +28,6 @@ std::uint64_t nextBatch(const Film& film, double pathsPerPass) {
     return std::min(std::max(least, film.passes / 2), kMostPasses - film.passes);
 }
 
-std::uint32_t packed(std::uint8_t red, std::uint8_t green, std::uint8_t blue) {
-    return 0xff000000u | static_cast<std::uint32_t>(blue) << 16 | static_cast<std::uint32_t>(green) << 8 |
-           red;
-}
-
 void tone(LightPicture& picture, double white) {
     const std::vector<Rgb>& means = picture.film.pixels.mean;
     const double scale = white > 0.0 ? 1.0 / white : 1.0;
@@ -40,6 +37,20 @@ void tone(LightPicture& picture, double white) {
     for (const Rgb& mean : means)
         picture.colors.push_back(
             packed(srgbByte(scale * mean.x), srgbByte(scale * mean.y), srgbByte(scale * mean.z)));
+    if (std::holds_alternative<Field>(picture.sensor)) toneFalsely(picture);
+}
+
+/// In false colours, one for each place.
+void toneFalsely(LightPicture& picture) {
+    const PixelStatistics& pixels = picture.film.pixels;
+    picture.logColors.clear();
+    picture.noiseColors.clear();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const Statistics pixel = pixels[i];
+        const double light = gray(pixel.mean), error = gray(pixel.standardError());
+        picture.logColors.push_back(decadeColor(picture.white > 0.0 ? light / picture.white : 0.0));
+        picture.noiseColors.push_back(decadeColor(light > 0.0 ? error / light : 0.0));
+    }
 }
 
 /// What this picture alone would show as white; 0 if it is black.

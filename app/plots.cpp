@@ -177,6 +177,12 @@ void histogramPlot(const Ui& ui, ImVec2 size) {
     });
     const float x = plot.at(histogram.mean, 0.0).x;
     list.AddLine({x, plot.area.min.y}, {x, plot.area.max.y}, ui.palette.estimate, 2 * ui.scale);
+    if (state.shows(View::samples) && plot.hovered()) {
+        const std::size_t bin = histogram.binOf(plot.xAt(ImGui::GetIO().MousePos.x));
+        tooltip("click: the samples of this bar in the list");
+        if (ImGui::IsMouseClicked(0))
+            ui.commands.push_back(FilterSamples{std::pair(histogram.edge(bin), histogram.edge(bin + 1))});
+    }
     plotKey(ui, plot, 0, ui.palette.estimate, "their mean");
     plotKey(ui, plot, 1, ui.palette.sample, "this run");
 }

@@ -47,17 +47,29 @@ void waitForLight(Session& session) {
 
 }  // namespace
 
-Image pictureOf(AppState state, HeadlessHost& host) {
+std::vector<Image> picturesOf(AppState state, std::span<HeadlessHost* const> hosts) {
     Session session;
     session.state = std::move(state);
-    const auto draw = [&] { frame(session, host.fonts(), host.uiScale()); };
     askLight(session);
     session.light.waitUntilIdle();
-    // Dear ImGui sizes some windows by what they held in the frame before: a few frames until nothing moves.
-    constexpr int kSettleFrames = 4;
-    for (int i = 0; i < kSettleFrames; ++i) host.frameWithoutDrawing(draw);
-    host.frame(draw);
-    return host.readPixels();
+    std::vector<Image> images;
+    for (HeadlessHost* host : hosts) {
+        session.state.uiScale = host->uiScale();
+        session.state.litLine = 0;  // the code scrolls to its line anew
+        const auto draw = [&] { frame(session, host->fonts(), host->uiScale()); };
+        // Dear ImGui sizes some windows by what they held in the frame before: a few frames until nothing
+        // moves.
+        constexpr int kSettleFrames = 4;
+        for (int i = 0; i < kSettleFrames; ++i) host->frameWithoutDrawing(draw);
+        host->frame(draw);
+        images.push_back(host->readPixels());
+    }
+    return images;
+}
+
+Image pictureOf(AppState state, HeadlessHost& host) {
+    HeadlessHost* const hosts[] = {&host};
+    return std::move(picturesOf(std::move(state), hosts).front());
 }
 
 int runScreenshot(const ScreenshotRequest& request) {

@@ -98,6 +98,7 @@ AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     state.makers = {};
     if (json.contains("first")) state.makers.first = makerOfJson(json["first"]);
     if (json.contains("second")) state.makers.second = makerOfJson(json["second"]);
+    if (json.contains("scale")) state.scale = named(json, "scale", kFieldScales);
     if (json.contains("run")) state.run = named(json, "run", kRuns);
     state.playback.stepping = json.contains("event");
     state.playback.event = state.playback.stepping ? whole(json, "event", 0, UINT32_MAX) : 0;
@@ -131,6 +132,7 @@ std::string shareText(const AppState& state) {
     json["show"] = state.show.bits;
     if (state.makers.first) json["first"] = jsonOf(*state.makers.first);
     if (state.makers.second) json["second"] = jsonOf(*state.makers.second);
+    if (state.scale != FieldScale::light) json["scale"] = std::string(nameOf(kFieldScales, state.scale));
     if (state.run != Run::castRay) json["run"] = std::string(nameOf(kRuns, state.run));
     if (state.playback.stepping) json["event"] = state.playback.event;
     return std::string(kPrefix) + packedText(json.dump());

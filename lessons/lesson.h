@@ -35,7 +35,8 @@ enum class View : std::uint8_t {
     eye,
     field,
     profile,
-    paths
+    paths,
+    samples
 };
 
 /// What a step can unlock for the reader's hand.
@@ -52,7 +53,7 @@ enum class Control : std::uint8_t {
     params
 };
 
-inline constexpr std::array<Named<View>, 15> kViews{{
+inline constexpr std::array<Named<View>, 16> kViews{{
     {View::halfdisk, "halfdisk", "the half-disk over P; with rays, also the sample points on its arc"},
     {View::rays, "rays", "the sample rays, coloured by what they bring back"},
     {View::tree, "tree", "the rays of the recursion, fading with depth"},
@@ -68,6 +69,7 @@ inline constexpr std::array<Named<View>, 15> kViews{{
     {View::field, "field", "the picture of the room: the light that passes every place"},
     {View::profile, "profile", "the light that arrives along P's wall"},
     {View::paths, "paths", "ways that light takes from the lamps, wall by wall"},
+    {View::samples, "samples", "the list of all samples of the run, with what each brings"},
 }};
 
 inline constexpr std::array<Named<Control>, 10> kControls{{
@@ -92,6 +94,16 @@ inline constexpr std::array<Named<Run>, 5> kRuns{{
     {Run::light, "light", "paths from the lights, every wall joined to P"},
     {Run::photonMap, "photon-map", "photons from the lights, then looked up from P"},
     {Run::bidirectional, "bidirectional", "a path from P and one from a light, joined in every way"},
+}};
+
+/// How the picture of the room is coloured.
+enum class FieldScale : std::uint8_t { light, logarithm, noise };
+
+inline constexpr std::array<Named<FieldScale>, 3> kFieldScales{{
+    {FieldScale::light, "light", "as bright as the light is"},
+    {FieldScale::logarithm, "log", "false colours over four powers of ten: what is dim can be seen as well"},
+    {FieldScale::noise, "noise",
+     "false colours for how uncertain each place is: its standard error as a share of its light"},
 }};
 
 /// A set of views, bit k = entry k of kViews.
@@ -129,9 +141,10 @@ inline constexpr std::uint64_t kMostLessonDepth = 8;
 /// All that a step sets; what neither it nor the lesson's [defaults] name is at its initial value.
 struct StepValues {
     Settings settings;
-    WallPoint at{0, 0.5};     ///< P, in the expanded scene; initially the middle of the first wall
-    Makers makers;            ///< of the pictures: eye, field and profile
-    Run run = Run::castRay;   ///< the one that is recorded
+    WallPoint at{0, 0.5};    ///< P, in the expanded scene; initially the middle of the first wall
+    Makers makers;           ///< of the pictures: eye, field and profile
+    Run run = Run::castRay;  ///< the one that is recorded
+    FieldScale scale = FieldScale::light;
     std::uint32_t event = 0;  ///< position in the recorded run, 0 = its start
     bool operator==(const StepValues&) const = default;
 };

@@ -22,6 +22,7 @@
 //   samples = 64                   # asPrinted = ["frame", "pdf"] or true, event
 //   estimator = "photon-map"       # what makes the pictures (eye, field, profile), with its own
 //   params = { photons = 20000 }   # parameters; without it what serves each picture best
+//   scale = "log"                  # of the field: one of kFieldScales
 //   run = "path"                   # whose run is recorded and stepped through, one of kRuns
 //   against = { estimator = "path", params = { ... }, depth = 0 }   # beside it, for comparison
 //   [step.goal]                    # what to reach by trying; the panel tells when it is

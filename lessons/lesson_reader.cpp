@@ -87,6 +87,8 @@ class LessonReader {
         TableReader table(file_, readTable(file_, key, value), value.where, std::move(what));
         readSettings(table, scene_, {kMostLessonSamples, kMostLessonDepth}, values.settings, values.at);
         readMakers(table, values.makers);
+        if (const TomlValue* scale = table.optional("scale"))
+            values.scale = readNamed(file_, "scale", *scale, kFieldScales);
         if (const TomlValue* run = table.optional("run")) values.run = readNamed(file_, "run", *run, kRuns);
         if (const TomlValue* event = table.optional("event"))
             values.event = static_cast<std::uint32_t>(readWhole(file_, "event", *event, {0, kMostEvents}));

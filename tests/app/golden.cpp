@@ -15,8 +15,8 @@ std::string goldenName(const LessonRef& step) {
     return step.lesson + "-" + std::to_string(step.step);
 }
 
-std::filesystem::path goldenFile(const LessonRef& step) {
-    return goldenFolder() / (goldenName(step) + ".png");
+std::filesystem::path goldenFile(const LessonRef& step, std::size_t scale) {
+    return goldenFolder() / (scale == 0 ? "" : "scale2") / (goldenName(step) + ".png");
 }
 
 std::vector<LessonRef> courseSteps() {
@@ -28,9 +28,11 @@ std::vector<LessonRef> courseSteps() {
     return steps;
 }
 
-Image pictureOfStep(const LessonRef& step) {
-    HeadlessHost host(kGoldenWidth, kGoldenHeight);
-    return pictureOf(openLesson(courseLessons(), step), host);
+std::vector<Image> picturesOfStep(const LessonRef& step) {
+    HeadlessHost plain(kGoldenWidth, kGoldenHeight, kGoldenScales[0]),
+        large(kGoldenWidth, kGoldenHeight, kGoldenScales[1]);
+    HeadlessHost* const hosts[] = {&plain, &large};
+    return picturesOf(openLesson(courseLessons(), step), hosts);
 }
 
 bool matches(const Image& actual, const Image& golden) {

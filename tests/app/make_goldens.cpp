@@ -12,9 +12,7 @@ using namespace halfdisk;
 namespace {
 
 /// What became of the golden picture of a step.
-const char* renew(const LessonRef& step) {
-    const Image picture = pictureOfStep(step);
-    const auto file = goldenFile(step);
+const char* renew(const Image& picture, const std::filesystem::path& file) {
     const bool isNew = !std::filesystem::exists(file);
     if (!isNew && readPng(file) == picture) return "kept";
     writePng(file, picture);
@@ -25,13 +23,17 @@ const char* renew(const LessonRef& step) {
 
 int main() {
     try {
-        std::filesystem::create_directories(goldenFolder());
+        std::filesystem::create_directories(goldenFile({"x", 1}, 1).parent_path());
         std::set<std::filesystem::path> wanted;
         for (const LessonRef& step : courseSteps()) {
-            wanted.insert(goldenFile(step));
-            fmt::print("{:8} {}\n", renew(step), goldenFile(step).string());
+            const std::vector<Image> pictures = picturesOfStep(step);
+            for (std::size_t scale = 0; scale < pictures.size(); ++scale) {
+                const auto file = goldenFile(step, scale);
+                wanted.insert(file);
+                fmt::print("{:8} {}\n", renew(pictures[scale], file), file.string());
+            }
         }
-        for (const auto& entry : std::filesystem::directory_iterator(goldenFolder())) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(goldenFolder())) {
             if (entry.path().extension() != ".png" || wanted.count(entry.path()) > 0) continue;
             fmt::print("removed  {}\n", entry.path().string());
             std::filesystem::remove(entry.path());

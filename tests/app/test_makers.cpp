@@ -131,6 +131,8 @@ TEST_CASE("a goal is reached when its number is, and not by an older answer") {
     ++rig.session.state.questionId;
     CHECK_FALSE(valueOf(goal, rig.state()).has_value());
     for (const Named<GoalQuantity>& quantity : kGoalQuantities) {
+        // These wait for what the reader does: test_answers.cpp.
+        if (quantity.value == GoalQuantity::line || quantity.value == GoalQuantity::drawn) continue;
         rig.settle();
         const auto found = valueOf({"", quantity.value, Relation::atLeast, 0.0}, rig.state());
         REQUIRE_MESSAGE(found.has_value(), quantity.name);

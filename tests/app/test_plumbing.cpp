@@ -144,7 +144,7 @@ TEST_CASE("another scale takes effect at the next frame") {
 }
 
 TEST_CASE("the source on the screen is the source that was compiled") {
-    CHECK(embeddedSources().size() == 11);
+    CHECK(embeddedSources().size() == 12);
     for (const EmbeddedSource& source : embeddedSources()) {
         CAPTURE(source.file);
         CHECK_FALSE(source.text.empty());

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <random>
 
@@ -12,7 +13,12 @@ using namespace halfdisk;
 
 namespace {
 
-constexpr int kEvents = 2500;  // of each half
+/// Of each half; HALFDISK_RANDOM_EVENTS says how many else.
+int eventCount() {
+    const char* asked = std::getenv("HALFDISK_RANDOM_EVENTS");
+    constexpr int kUsual = 2500;
+    return asked ? std::max(1, std::atoi(asked)) : kUsual;
+}
 
 /// The standard fixes what this engine gives, but not what the distributions do.
 struct Dice {
@@ -163,7 +169,7 @@ Command randomEditing(Dice& dice, const AppState& state) {
 
 Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::filesystem::path>& files) {
     const auto walls = static_cast<std::uint32_t>(state.scene->scene.segments.size());
-    switch (dice.below(30)) {
+    switch (dice.below(38)) {
         case 20:
         case 21:
         case 22:
@@ -174,6 +180,24 @@ Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::
                 {randomMaker(dice), dice.once(2) ? std::optional(randomMaker(dice)) : std::nullopt}};
         case 25:
             return SetSplit{dice.between(-1, 2)};
+        case 30:
+            return SetRun{kRuns[dice.below(static_cast<std::uint32_t>(kRuns.size()))].value};
+        case 31:
+            return SetLanguage{dice.once(2) ? "de" : dice.once(2) ? "nowhere" : ""};
+        case 32:
+            return DrawCurve{dice.between(-1, 4), dice.between(-1, 4), dice.between(-1, 1e9f),
+                             dice.between(0, 2)};
+        case 33:
+            return SetFieldScale{kFieldScales[dice.below(3)].value};
+        case 34:
+            return FilterSamples{std::pair<double, double>(dice.between(-1, 1), dice.between(-1, 1))};
+        case 35:
+            return JumpToSource{{"core/walk.h", static_cast<int>(dice.below(120))},
+                                {"core/walk.h", static_cast<int>(dice.below(120))}};
+        case 36:
+            return dice.once(2) ? Command(ExportSeen{}) : Command(DismissNotice{});
+        case 37:
+            return ShowSample{dice.below(100'000)};
         case 26:
             return ShowPalette{dice.once(2)};
         case 27:
@@ -309,7 +333,8 @@ void checkSurvives(std::uint32_t seed) {
     Rig rig(openLesson(lessons.folder, LessonRef{"controls", 1}));
     rig.session.state.editing.path =
         (lessons.folder / "saved.toml").string();  // Ctrl S comes by chance as well
-    for (int event = 0; event < kEvents; ++event) {
+    const int events = eventCount();
+    for (int event = 0; event < events; ++event) {
         CAPTURE(event);
         act(dice, rig, files);
         rig.driver.frames();

@@ -26,8 +26,9 @@ std::vector<LessonRef> stepsToCompare() {
 }
 
 /// Empty if it matches; else what is wrong and where to look.
-std::string complaint(const Image& actual, const LessonRef& step) {
-    const auto file = goldenFile(step);
+std::string complaint(const Image& actual, const LessonRef& step, std::size_t scale) {
+    const auto file = goldenFile(step, scale);
+    const std::string name = goldenName(step) + (scale == 0 ? "" : ".scale2");
     if (!std::filesystem::exists(file))
         return fmt::format("{} is missing; make it with: {}", file.string(), kHowToMake);
     const Image golden = readPng(file);
@@ -35,12 +36,12 @@ std::string complaint(const Image& actual, const LessonRef& step) {
 
     const std::filesystem::path folder = HALFDISK_DIFFERENCES;
     std::filesystem::create_directories(folder);
-    const auto actualFile = folder / (goldenName(step) + ".actual.png");
+    const auto actualFile = folder / (name + ".actual.png");
     writePng(actualFile, actual);
     if (actual.width != golden.width || actual.height != golden.height)
         return fmt::format("{} has another size than {}", actualFile.string(), file.string());
     const ImageComparison compared = compareImages(actual, golden, kToleranceLevels);
-    const auto differenceFile = folder / (goldenName(step) + ".difference.png");
+    const auto differenceFile = folder / (name + ".difference.png");
     writePng(differenceFile, compared.picture);
     return fmt::format(
         "{} pixels differ by more than {} levels (at most {} may), the worst by {}.\n"
@@ -60,8 +61,12 @@ Image pictureOfTestStep(const Settings* changed = nullptr) {
 
 TEST_CASE("a step looks like its golden picture") {
     for (const LessonRef& step : stepsToCompare()) {
-        const std::string wrong = complaint(pictureOfStep(step), step);
-        CHECK_MESSAGE(wrong.empty(), goldenName(step), ": ", wrong);
+        const std::vector<Image> pictures = picturesOfStep(step);
+        REQUIRE(pictures.size() == kGoldenScales.size());
+        for (std::size_t scale = 0; scale < pictures.size(); ++scale) {
+            const std::string wrong = complaint(pictures[scale], step, scale);
+            CHECK_MESSAGE(wrong.empty(), goldenName(step), " at scale ", kGoldenScales[scale], ": ", wrong);
+        }
     }
 }
 
@@ -78,7 +83,7 @@ TEST_CASE("every step of the course is registered, and no golden picture is with
     }
     CHECK_FALSE(wanted.empty());
     if (!std::filesystem::exists(goldenFolder())) return;
-    for (const auto& entry : std::filesystem::directory_iterator(goldenFolder())) {
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(goldenFolder())) {
         if (entry.path().extension() != ".png") continue;
         CHECK_MESSAGE(names.count(entry.path().stem().string()) == 1, "no step has ", entry.path().string(),
                       "; ", kHowToMake, " removes it");

@@ -20,7 +20,8 @@ TEST_CASE("a lesson is read with its scene, terms and steps") {
     CHECK(lesson.file == kLessons / "02-sample.toml");
     CHECK(lesson.scenePath == kLessons / "scenes/corner.toml");
     CHECK(lesson.scene.title == "Corner");
-    CHECK(lesson.terms == std::vector<Term>{{"Radiance", "Power per projected length per radian."}});
+    CHECK(lesson.terms ==
+          std::vector<Term>{{"Radiance", "Power per projected length per radian.", Topic::radiance}});
     REQUIRE(lesson.steps.size() == 3);
 
     const Step& step = lesson.steps[0];

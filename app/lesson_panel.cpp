@@ -20,7 +20,7 @@ void chooser(const Ui& ui) {
     for (const LessonEntry& entry : state.lessons) {
         if (state.lesson && entry.slug == state.lesson->slug) current = static_cast<int>(titles.size());
         titles.push_back(fmt::format("{}  {}", entry.number,
-                                     entry.error.empty() ? entry.title : entry.slug + " (broken)"));
+                                     entry.error.empty() ? entry.title : say("{} (broken)", entry.slug)));
     }
     if (state.rules.kiosk) {
         if (state.lesson) textWrapped(ui.widgets, state.lesson->title);

@@ -47,7 +47,7 @@ bool editParam(const Ui& ui, const ParamInfo& param, double& value) {
                                      {param.least, param.most, speed, "%.4g", false});
     }
     const std::string unit = param.unit.empty() ? "" : fmt::format(" ({})", param.unit);
-    tooltip(fmt::format("{}{}: {}", param.meaning, unit, paramRange(param)));
+    tooltip(fmt::format("{}{}: {}", tr(param.meaning), unit, paramRange(param)));
     return changed;
 }
 

@@ -27,17 +27,17 @@ void offerEditing(Offer& offer) {
         const std::string_view key = act.value == EditAct::copy     ? keyOf(KeyRow::selected)
                                      : act.value == EditAct::remove ? keyOf(KeyRow::selected, 1)
                                                                     : std::string_view();
-        offer.addIf(serves(act.value, editing.selected), say("{} what is selected", act.name), key,
+        offer.addIf(serves(act.value, editing.selected), say("{} what is selected", tr(act.name)), key,
                     ActOnSelected{act.value});
     }
     for (const Named<Tool>& tool : kTools)
-        offer.addIf(editing.tool != tool.value, say("Tool: {}", tool.name), {}, SetTool{tool.value});
+        offer.addIf(editing.tool != tool.value, say("Tool: {}", tr(tool.name)), {}, SetTool{tool.value});
     // Without a pointer: in the middle of what is seen.
     const Vec2 middle = state.camera.center;
     const double half = 60.0 / state.camera.pixelsPerMeter;
     for (const Named<Tool>& tool : kTools) {
         const Vec2 way(half, tool.value == Tool::box ? half : 0.0);
-        offer.addIf(tool.value != Tool::select, say("Add in the middle: {}", tool.name), {},
+        offer.addIf(tool.value != Tool::select, say("Add in the middle: {}", tr(tool.name)), {},
                     AddNew{tool.value, middle - way, middle + way});
     }
     offer.add(editing.snap ? "Do not snap" : "Snap to ends and grid", {}, SetSnap{!editing.snap});
@@ -59,7 +59,7 @@ void offerEditing(Offer& offer) {
         if (material.name != kDefaultMaterial)
             offer.add(say("Material: {}", material.name), {}, SetMaterial{material.name});
     for (const Named<std::size_t>& type : kMaterialTypes)
-        offer.add(say("New material: {}", type.name), {}, AddMaterial{type.value});
+        offer.add(say("New material: {}", tr(type.name)), {}, AddMaterial{type.value});
 }
 
 }  // namespace halfdisk

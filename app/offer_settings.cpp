@@ -21,7 +21,7 @@ void choices(Offer& offer, std::string_view what, Enum Settings::*value,
         Settings settings = offer.state.settings;
         if (settings.*value == choice.value) continue;
         settings.*value = choice.value;
-        offer.add(fmt::format("{}: {}", what, choice.name), choice.value == next ? key : "",
+        offer.add(fmt::format("{}: {}", tr(what), choice.name), choice.value == next ? key : "",
                   SetSettings{settings});
     }
 }
@@ -100,7 +100,7 @@ void offerViews(Offer& offer) {
                                      : view.value == View::field ? keyOf(KeyRow::pictures, 1)
                                                                  : std::string_view();
         const bool on = offer.state.shows(view.value);
-        offer.add(fmt::format("{} {}: {}", on ? "Hide" : "Show", view.name, view.meaning), key,
+        offer.add(fmt::format("{} {}: {}", tr(on ? "Hide" : "Show"), view.name, tr(view.meaning)), key,
                   SetView{view.value, !on});
     }
 }

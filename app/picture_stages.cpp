@@ -28,18 +28,6 @@ std::uint64_t nextBatch(const Film& film, double pathsPerPass) {
     return std::min(std::max(least, film.passes / 2), kMostPasses - film.passes);
 }
 
-void tone(LightPicture& picture, double white) {
-    const std::vector<Rgb>& means = picture.film.pixels.mean;
-    const double scale = white > 0.0 ? 1.0 / white : 1.0;
-    picture.white = white;
-    picture.colors.clear();
-    picture.colors.reserve(means.size());
-    for (const Rgb& mean : means)
-        picture.colors.push_back(
-            packed(srgbByte(scale * mean.x), srgbByte(scale * mean.y), srgbByte(scale * mean.z)));
-    if (std::holds_alternative<Field>(picture.sensor)) toneFalsely(picture);
-}
-
 /// In false colours, one for each place.
 void toneFalsely(LightPicture& picture) {
     const PixelStatistics& pixels = picture.film.pixels;
@@ -51,6 +39,18 @@ void toneFalsely(LightPicture& picture) {
         picture.logColors.push_back(decadeColor(picture.white > 0.0 ? light / picture.white : 0.0));
         picture.noiseColors.push_back(decadeColor(light > 0.0 ? error / light : 0.0));
     }
+}
+
+void tone(LightPicture& picture, double white) {
+    const std::vector<Rgb>& means = picture.film.pixels.mean;
+    const double scale = white > 0.0 ? 1.0 / white : 1.0;
+    picture.white = white;
+    picture.colors.clear();
+    picture.colors.reserve(means.size());
+    for (const Rgb& mean : means)
+        picture.colors.push_back(
+            packed(srgbByte(scale * mean.x), srgbByte(scale * mean.y), srgbByte(scale * mean.z)));
+    if (std::holds_alternative<Field>(picture.sensor)) toneFalsely(picture);
 }
 
 /// What this picture alone would show as white; 0 if it is black.

@@ -44,6 +44,7 @@ std::vector<std::string> literalsOf(const std::string& source) {
             i = std::min(source.find('\n', i), source.size());
             continue;
         }
+        if (c == '\'' && i > 0 && std::isdigit(static_cast<unsigned char>(source[i - 1]))) continue;
         if (c == '\'') {
             i = source.find('\'', source[i + 1] == '\\' ? i + 3 : i + 2);
             joins = false;
@@ -90,9 +91,11 @@ bool hasWords(std::string_view text) {
 
 /// Files whose literals the window shows.
 constexpr const char* kShown[] = {
-    "step_text.cpp",      "run_text.cpp",     "numbers_panel.cpp", "code_panel.cpp",   "lesson_panel.cpp",
-    "controls_panel.cpp", "makers_panel.cpp", "plots.cpp",         "profile_plot.cpp", "eye_strip.cpp",
-    "canvas_field.cpp",   "canvas_rays.cpp",  "canvas_panel.cpp",  "help_overlay.cpp", "edit_panel.cpp"};
+    "step_text.cpp",      "run_text.cpp",     "numbers_panel.cpp", "code_panel.cpp",     "lesson_panel.cpp",
+    "controls_panel.cpp", "makers_panel.cpp", "plots.cpp",         "profile_plot.cpp",   "eye_strip.cpp",
+    "canvas_field.cpp",   "canvas_rays.cpp",  "canvas_panel.cpp",  "help_overlay.cpp",   "edit_panel.cpp",
+    "inspector.cpp",      "doable.cpp",       "offer_editing.cpp", "offer_settings.cpp", "palette_panel.cpp",
+    "files_panel.cpp",    "drawn_curve.cpp",  "samples_panel.cpp", "key_help.h"};
 
 }  // namespace
 

@@ -115,13 +115,10 @@ TEST_CASE("the field is shown in each of its scales, each in other colours") {
     CHECK(picture->noiseColors.size() == picture->colors.size());
     CHECK(picture->logColors != picture->colors);
     CHECK(picture->noiseColors != picture->logColors);
-    for (const Named<FieldScale>& scale : kFieldScales) {
+    for (const FieldScale scale : {FieldScale::logarithm, FieldScale::noise, FieldScale::light}) {
         rig.driver.click("Controls/colours");
-        if (scale.value != rig.state().scale)
-            rig.driver.click(fmt::format("Controls/colours/{}", scale.name));
-        else
-            rig.driver.pressKey(Key::escape);
+        rig.driver.click(fmt::format("Controls/colours/{}", nameOf(kFieldScales, scale)));
         rig.driver.frames(2);
-        CHECK(rig.state().scale == scale.value);
+        CHECK(rig.state().scale == scale);
     }
 }

@@ -37,11 +37,32 @@ void addDamage(std::vector<NumberWords>& numbers, const LightAnswer& answer) {
              fmt::format("{:+.1f} % \u00b1 {:.2g} %", 100.0 * damage.relative, 100.0 * damage.error)});
 }
 
+/// Of another run than castRay's.
+std::vector<NumberWords> pathRunNumbers(const AppState& state, const LightAnswer& answer) {
+    const PathRun& run = *answer.pathRun;
+    std::vector<NumberWords> numbers;
+    if (state.shows(View::exact))
+        numbers.push_back({"exact E", answer.exact ? irradiance(*answer.exact) : "not known"});
+    if (!state.shows(View::numbers)) return numbers;
+    if (!run.refusal.empty()) return {{"estimate of E", fmt::format("none: {}", run.refusal)}};
+    std::string value = irradiance(run.estimate);
+    if (run.standardError)
+        value +=
+            fmt::format(" \u00b1 {:.2g}, one standard error from its own paths", gray(*run.standardError));
+    const bool finished = !state.playback.stepping || state.playback.event >= state.eventCount();
+    if (!finished)
+        value = fmt::format("not finished, at step {} of {}", state.playback.event, state.eventCount());
+    numbers.push_back({"estimate of E", value});
+    if (finished) numbers.push_back({"rays cast", fmt::format("{}", run.counts.rays)});
+    return numbers;
+}
+
 }  // namespace
 
 std::vector<NumberWords> numberWords(const AppState& state) {
-    if (!state.answer || state.answer->tooManyRays) return {};
+    if (!state.answer || (state.answer->tooManyRays && !state.answer->pathRun)) return {};
     const LightAnswer& answer = *state.answer;
+    if (answer.pathRun) return pathRunNumbers(state, answer);
     std::vector<NumberWords> numbers;
     const bool finished = !state.playback.stepping || state.playback.event >= state.eventCount();
     const bool counted = state.shows(View::numbers) && finished;

@@ -11,6 +11,7 @@
 #include "app/number_words.h"
 #include "app/picture_stages.h"
 #include "app/plot_words.h"
+#include "app/run_text.h"
 #include "app/scene_words.h"
 #include "app/step_text.h"
 #include "app/tree_json.h"
@@ -128,7 +129,36 @@ void addScene(WordsPage& page, const AppState& state) {
                                state.at.t, state.scene->scene.segmentNames[state.at.segment], placeWords(N)));
 }
 
+/// How often each kind of step occurs.
+template <class Events, class Kinds>
+std::string kindsOf(const Events& events, const Kinds& table) {
+    std::string kinds;
+    for (const auto& kind : table) {
+        const auto count = std::count_if(events.begin(), events.end(),
+                                         [&](const auto& event) { return event.kind == kind.value; });
+        kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", kind.name, count);
+    }
+    return kinds;
+}
+
+void addPathRun(WordsPage& page, const AppState& state, const PathRun& run) {
+    page.heading(fmt::format("The recorded run of {}", nameOf(kRuns, state.answer->asked.run)));
+    if (!run.refusal.empty()) return page.paragraph(fmt::format("There is none: {}.", run.refusal));
+    page.paragraph(fmt::format("{} steps of {} paths; {} rays. It says E = {} W/m.{}",
+                               run.record.events.size(), run.record.paths, run.counts.rays,
+                               shown(run.estimate),
+                               run.record.truncated ? " Later paths were left out of the record." : ""));
+    page.fact("steps by kind", kindsOf(run.record.events, kPathEventKinds));
+    if (!state.playback.stepping) return page.paragraph("The whole run is shown.");
+    page.paragraph(fmt::format("Shown up to step {} of {}.",
+                               std::min(state.playback.event, state.eventCount()), state.eventCount()));
+    if (!currentPathEvent(state)) return;
+    const StepText words = describeStep(state);
+    page.paragraph(fmt::format("{}: {} ({})", words.where, words.what, words.values));
+}
+
 void addRun(WordsPage& page, const AppState& state) {
+    if (state.answer && state.answer->pathRun) return addPathRun(page, state, *state.answer->pathRun);
     page.heading("The recorded run of castRay");
     const LightAnswer* answer = state.answer.get();
     if (answer && answer->tooManyRays)
@@ -143,13 +173,7 @@ void addRun(WordsPage& page, const AppState& state) {
                                record.events.size(), record.calls.size(), record.calls.size() == 1 ? "" : "s",
                                deepest, record.rays,
                                record.truncated ? " Deeper steps were left out of the record." : ""));
-    std::string kinds;
-    for (const auto& kind : kEventKinds) {
-        const auto count = std::count_if(record.events.begin(), record.events.end(),
-                                         [&](const Event& event) { return event.kind == kind.value; });
-        kinds += fmt::format("{}{} {}", kinds.empty() ? "" : ", ", kind.name, count);
-    }
-    page.fact("steps by kind", kinds);
+    page.fact("steps by kind", kindsOf(record.events, kEventKinds));
     if (!state.playback.stepping) return page.paragraph("The whole run is shown.");
     page.paragraph(fmt::format("Shown up to step {} of {}.",
                                std::min(state.playback.event, state.eventCount()), state.eventCount()));

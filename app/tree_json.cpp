@@ -26,6 +26,16 @@ Json settingsJson(const Settings& settings) {
             {"maxSpecular", settings.maxSpecular}};
 }
 
+/// What another estimator's run says in place of castRay's.
+void tellPathRun(Json& head, const PathRun& run) {
+    head["truncated"] = run.record.truncated;
+    head["rays"] = run.counts.rays;
+    head["refused"] = !run.refusal.empty();
+    head["divisor"] = run.divisor;
+    head["estimate"] = run.refusal.empty() ? Json{{"total", jsonOf(run.estimate)}} : Json(nullptr);
+    head["standardError"] = run.standardError ? jsonOf(*run.standardError) : Json(nullptr);
+}
+
 Json headOf(const AppState& state) {
     Json head{{"format", "halfdisk recorded run"}, {"lesson", nullptr}, {"step", nullptr}};
     if (state.lesson) {
@@ -53,6 +63,8 @@ Json headOf(const AppState& state) {
                             {"total", jsonOf(answer->estimate.total())}};
     if (answer && answer->standardError) head["standardError"] = jsonOf(*answer->standardError);
     if (answer && answer->exact) head["exact"] = jsonOf(*answer->exact);
+    head["run"] = nameOf(kRuns, answer ? answer->asked.run : state.run);
+    if (answer && answer->pathRun) tellPathRun(head, *answer->pathRun);
     head["shownEvents"] = state.playback.stepping ? Json(state.playback.event) : Json(nullptr);
     head["walls"] = prepared.scene.segmentNames;
     return head;
@@ -91,6 +103,35 @@ Json eventJson(std::size_t index, const Event& event) {
             {"sum", jsonOf(event.sum)}};
 }
 
+Json pathEventJson(std::size_t index, const PathEvent& event) {
+    // The build's own folder is nobody's business.
+    const std::size_t root = event.where.file.rfind("core/");
+    const std::string_view file =
+        root == std::string_view::npos ? event.where.file : event.where.file.substr(root);
+    return {{"event", index},
+            {"kind", nameOf(kPathEventKinds, event.kind)},
+            {"file", file},
+            {"line", event.where.line},
+            {"path", event.path},
+            {"vertex", event.vertex},
+            {"carried", event.carried == Carried::radiance ? "radiance" : "power"},
+            {"segment", segmentJson(event.segment)},
+            {"s", event.s},
+            {"t", event.t},
+            {"photons", event.photons},
+            {"radius", jsonOf(event.radius)},
+            {"visible", event.visible},
+            {"missed", event.missed},
+            {"delta", event.delta},
+            {"from", jsonOf(event.from)},
+            {"to", jsonOf(event.to)},
+            {"pdfAngle", jsonOf(event.pdfAngle)},
+            {"weight", jsonOf(event.weight)},
+            {"throughput", jsonOf(event.throughput)},
+            {"value", jsonOf(event.value)},
+            {"sum", jsonOf(event.sum)}};
+}
+
 /// A list with one entry a line: as one object it would take ten times the memory.
 template <class Entry, class Function>
 void appendList(std::string& text, std::string_view key, const std::vector<Entry>& entries,
@@ -118,8 +159,12 @@ std::string treeJson(const AppState& state) {
     }
     const Record none;
     const Record& record = state.answer && state.answer->record ? *state.answer->record : none;
-    appendList(text, "calls", record.calls, callJson);
-    appendList(text, "events", record.events, eventJson);
+    const bool ofPaths = state.answer && state.answer->pathRun;
+    appendList(text, "calls", ofPaths ? none.calls : record.calls, callJson);
+    if (ofPaths)
+        appendList(text, "events", state.answer->pathRun->record.events, pathEventJson);
+    else
+        appendList(text, "events", record.events, eventJson);
     text += "\n}\n";
     return text;
 }

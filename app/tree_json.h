@@ -11,17 +11,23 @@
 //   estimate            direct, indirect, total: E of this run; standardError, exact: or null
 //   shownEvents         how many events the screen has passed; null: the whole run is shown
 //   walls               names, by segment
+//   run                 whose run it is: cast-ray, path, light, photon-map or bidirectional
+//   divisor             of another run than castRay's: its estimate is the sum of all values, divided by this
 //   calls               the tree of half-disks: call (its index), parent (the index of the call whose sample
 //   led
 //                       here, or null), sample (which of the parent's), depth, segment, P, N, firstEvent,
-//                       lastEvent
+//                       lastEvent. None of another run.
 //   events              in their order: event (its index), kind, line (of the published listing), depth,
-//   call, n
-//                       (which sample), light (which light), segment (the wall met, or null), theta (from the
-//                       tangent), pdfAngle (1/rad), visible (the shadow ray got through), onward (it comes
-//                       from a mirror or glass), missed (no wall: `to` is one metre along), from, to,
+//   call,
+//                       n (which sample), light (which light), segment (the wall met, or null), theta (from
+//                       the tangent), pdfAngle (1/rad), visible (the shadow ray got through), onward (it
+//                       comes from a mirror or glass), missed (no wall: `to` is one metre along), from, to,
 //                       direction, value (what came back, is added or is returned), sum (after this step). Of
-//                       fields that a kind does not speak of: 0, false, null.
+//                       another run: event, kind, file and line (of the source), path, vertex (walls met so
+//                       far), carried (radiance or power), segment, s, t, photons, radius (m), visible,
+//                       missed, delta (a mirror's or glass's event), from, to, pdfAngle, weight (share of
+//                       this way of finding the light), throughput, value, sum. Of fields that a kind does
+//                       not speak of: 0, false, null.
 #pragma once
 
 #include <string>

@@ -350,3 +350,30 @@ TEST_CASE("export: every lesson's first step has its canvas, and a table beside 
                   rig.state().shows(plot.view));
     }
 }
+
+TEST_CASE("export: another estimator's run is told in its own words and events") {
+    for (const Named<Run>& run : kRuns) {
+        if (run.value == Run::castRay) continue;
+        CAPTURE(run.name);
+        AppState state = richState();
+        apply(state, SetRun{run.value});
+        Rig rig(std::move(state));
+        rig.settle();
+        rig.apply(SetEvent{4});
+        const PathRun& told = *rig.state().answer->pathRun;
+        const Json tree = Json::parse(treeJson(rig.state()));
+        CHECK(tree["run"] == run.name);
+        CHECK(tree["calls"].empty());
+        CHECK(tree["divisor"] == told.divisor);
+        REQUIRE(tree["events"].size() == told.record.events.size());
+        double sum = 0.0;
+        for (const Json& event : tree["events"]) {
+            sum += event["value"][0].get<double>();
+            CHECK(event["file"].get<std::string>().rfind("core/", 0) == 0);
+        }
+        CHECK(sum / told.divisor == doctest::Approx(told.estimate.x));
+        const std::string words = stateText(rig.state());
+        CHECK(words.find(fmt::format("recorded run of {}", run.name)) != std::string::npos);
+        CHECK(words.find("Shown up to step 4") != std::string::npos);
+    }
+}

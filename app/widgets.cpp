@@ -27,6 +27,14 @@ std::string spoken(std::string_view label) {
     return fmt::format("{}###{}", translated, label);
 }
 
+/// A field that is entered anew must not undo what was typed when other words stood in it: Dear ImGui 1.86
+/// keeps that history, and its assertions end the program.
+void forgetFormerText(const char* label) {
+    const ImGuiID id = ImGui::GetID(label);
+    ImGuiInputTextState* state = ImGui::GetInputTextState(id);
+    if (state && ImGui::GetActiveID() != id) state->ID = 0;
+}
+
 Rect toRect(ImVec2 min, ImVec2 max) {
     return {min.x, min.y, max.x, max.y};
 }
@@ -175,15 +183,19 @@ bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int leas
 bool dragScalar(WidgetRegistry& registry, const char* label, ImGuiDataType type, void* value,
                 const void* least, const void* most, float speed, const char* format, bool logarithmic) {
     const float width = ImGui::CalcItemWidth();
-    const bool changed = ImGui::DragScalar(spoken(label).c_str(), type, value, speed, least, most, format,
-                                           sliderFlags(logarithmic));
+    const std::string name = spoken(label);
+    forgetFormerText(name.c_str());
+    const bool changed =
+        ImGui::DragScalar(name.c_str(), type, value, speed, least, most, format, sliderFlags(logarithmic));
     noteFramed(registry, label, width, WidgetKind::number);
     return changed;
 }
 
 bool inputText(WidgetRegistry& registry, const char* label, std::string& value) {
     const float width = ImGui::CalcItemWidth();
-    const bool changed = ImGui::InputText(spoken(label).c_str(), &value);
+    const std::string name = spoken(label);
+    forgetFormerText(name.c_str());
+    const bool changed = ImGui::InputText(name.c_str(), &value);
     noteFramed(registry, label, width, WidgetKind::input);
     return changed;
 }
@@ -191,6 +203,7 @@ bool inputText(WidgetRegistry& registry, const char* label, std::string& value) 
 bool inputTextAtEnd(WidgetRegistry& registry, const char* label, std::string& value) {
     const float width = ImGui::CalcItemWidth();
     bool entering = !ImGui::IsAnyItemActive();
+    forgetFormerText(label);
     const auto toEnd = [](ImGuiInputTextCallbackData* data) {
         if (!*static_cast<const bool*>(data->UserData)) return 0;
         data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
@@ -204,6 +217,7 @@ bool inputTextAtEnd(WidgetRegistry& registry, const char* label, std::string& va
 
 bool inputTextEntered(WidgetRegistry& registry, const char* label, std::string& value) {
     const float width = ImGui::CalcItemWidth();
+    forgetFormerText(label);
     const bool entered = ImGui::InputText(label, &value, ImGuiInputTextFlags_EnterReturnsTrue);
     noteFramed(registry, label, width, WidgetKind::input);
     return entered;

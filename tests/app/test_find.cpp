@@ -459,3 +459,21 @@ TEST_CASE("what one wants is found by what one would type") {
     CHECK(best(state, "").rfind("Next step", 0) == 0);
     CHECK(best(state, "no such thing at all").empty());
 }
+
+TEST_CASE("what was typed before is not undone into another query") {
+    const LessonsCopy folder;
+    Rig rig(busy(folder, false));
+    rig.driver.pressKey(Key::ctrl, Key::k);
+    rig.driver.frames(2);
+    rig.driver.typeText("a long query");
+    rig.driver.frames(2);
+    CHECK(rig.state().palette.query == "a long query");
+    for (int i = 0; i < 4; ++i) rig.driver.pressKey(Key::backspace);
+    rig.apply(ShowPalette{false});
+    rig.driver.frames(2);
+    rig.driver.pressKey(Key::ctrl, Key::k);
+    rig.driver.frames(2);
+    for (int i = 0; i < 20; ++i) rig.driver.pressKey(Key::ctrl, Key::z);
+    CHECK(rig.state().palette.shown);
+    CHECK(rig.state().palette.query.empty());
+}

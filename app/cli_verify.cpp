@@ -12,6 +12,7 @@
 #include "lessons/lesson_file.h"
 #include "lessons/lesson_list.h"
 #include "lessons/scene_file.h"
+#include "lessons/translation.h"
 
 namespace halfdisk {
 namespace {
@@ -88,11 +89,25 @@ void verifyLesson(const Lesson& lesson, unsigned threads, bool asJson, Tally& ta
         }
 }
 
+/// Throws InputError if a lesson's words in another language are not its own.
+void checkTranslations(const std::filesystem::path& file) {
+    const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        const std::filesystem::path words = entry.path() / file.filename();
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(words, ignored)) continue;
+        Lesson lesson = loadLesson(file);
+        translateLesson(lesson, words);
+    }
+}
+
 int runVerify(const VerifyTexts& texts, const std::filesystem::path& folder) {
     const unsigned threads = threadsArgument(texts.threads);
     Tally tally;
-    for (const std::filesystem::path& file : filesOf(texts, folder))
+    for (const std::filesystem::path& file : filesOf(texts, folder)) {
+        checkTranslations(file);
         verifyLesson(loadLesson(file), threads, texts.json, tally);
+    }
     if (texts.json) {
         writeJson(Json{{"claims", tally.claims}, {"held", tally.held}, {"failed", tally.failed}});
     } else {

@@ -37,7 +37,8 @@ void toneFalsely(LightPicture& picture) {
         const Statistics pixel = pixels[i];
         const double light = gray(pixel.mean), error = gray(pixel.standardError());
         picture.logColors.push_back(decadeColor(picture.white > 0.0 ? light / picture.white : 0.0));
-        picture.noiseColors.push_back(decadeColor(light > 0.0 ? error / light : 0.0));
+        // No light at all: nothing can be said.
+        picture.noiseColors.push_back(light > 0.0 ? decadeColor(error / light) : packed(160, 160, 160));
     }
 }
 

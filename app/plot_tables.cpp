@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/csv_text.h"
+#include "app/goal_check.h"
 #include "app/histogram.h"
 #include "app/render_result.h"
 #include "app/shown_pictures.h"
@@ -39,7 +40,7 @@ void addPixels(CsvText& table, const AppState& state, View view) {
 std::string integrandTable(const AppState& state) {
     CsvText table{"thetaFromNormal (degrees)", "LR (W/(m rad))",    "LG (W/(m rad))",   "LB (W/(m rad))",
                   "LcosR (W/(m rad))",         "LcosG (W/(m rad))", "LcosB (W/(m rad))"};
-    if (!state.answer) return table.text();
+    if (!state.answer || (asksForCurve(state) && !isDrawn(state))) return table.text();
     for (const IntegrandPoint& point : state.answer->integrand) {
         table.cell(90.0 - point.theta * kDegrees).cell(point.radiance);
         table.cell(point.radiance * std::sin(point.theta));

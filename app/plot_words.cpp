@@ -7,6 +7,7 @@
 
 #include "app/canvas_words.h"
 #include "app/draw_text.h"
+#include "app/goal_check.h"
 #include "app/histogram.h"
 #include "app/language.h"
 #include "app/render_sensor.h"
@@ -45,6 +46,7 @@ std::vector<double> graysOf(const LightPicture& picture) {
 
 std::string integrandWords(const AppState& state) {
     if (!state.answer || state.answer->integrand.empty()) return "Nothing exact is known about P.";
+    if (asksForCurve(state) && !isDrawn(state)) return "The curve is hidden until it is drawn.";
     const auto& points = state.answer->integrand;
     const auto brighter = [](const IntegrandPoint& a, const IntegrandPoint& b) {
         return gray(a.radiance) < gray(b.radiance);

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/draw_text.h"
 
@@ -15,7 +16,9 @@ std::string wallName(const AppState& state, std::uint32_t segment) {
 }
 
 std::string place(Vec2 v) {
-    return fmt::format("({:.3f}, {:.3f})", v.x, v.y);
+    // So that nothing is -0.000.
+    const auto rounded = [](double x) { return std::round(1e3 * x) / 1e3 + 0.0; };
+    return fmt::format("({:.3f}, {:.3f})", rounded(v.x), rounded(v.y));
 }
 
 /// `throughput 0.8` or `power 0.05 W`.
@@ -24,8 +27,25 @@ std::string carried(const PathEvent& event) {
                                               : say("power {} W", shown(event.throughput));
 }
 
-std::string added(const PathEvent& event) {
-    return say("adds {}   sum so far = {}", shown(event.value), shown(event.sum));
+std::string added(const AppState& state, const PathEvent& event) {
+    const std::uint32_t N = state.answer->pathRun->divisor;
+    if (N == 1) return say("adds {}   sum so far = {}", shown(event.value), shown(event.sum));
+    return say("adds {}   sum so far = {}, / {} = {}", shown(event.value), shown(event.sum), N,
+               shown(event.sum / static_cast<double>(N)));
+}
+
+/// Which path, as the run counts them.
+std::string whichPath(const AppState& state, const PathEvent& event) {
+    const bool fromP = event.carried == Carried::radiance;
+    if (state.run == Run::bidirectional)
+        return event.kind == PathEventKind::joined ? say("pair {}, joined", event.path / 2 + 1)
+               : fromP                             ? say("pair {}, from P", event.path / 2 + 1)
+                                                   : say("pair {}, from the light", event.path / 2 + 1);
+    if (state.run == Run::light && event.path == 0) return std::string(tr("straight from the lights"));
+    if (state.run == Run::light) return say("path {}", event.path);
+    if (state.run == Run::photonMap)
+        return fromP ? std::string(tr("the look from P")) : say("photon {}", event.path + 1);
+    return say("path {}", event.path + 1);
 }
 
 /// The lamp, the sky, or a light that has no wall.
@@ -50,7 +70,10 @@ std::string joinedHow(const AppState& state, const PathEvent& event) {
     const std::string_view way = tr(event.visible ? "the way is free" : "something is in the way");
     if (state.run == Run::light) return say("The wall is joined to P: {}.", way);
     const std::string strategy = say("Strategy s = {}, t = {}: ", event.s, event.t);
-    if (event.s == 0) return fmt::format("{}{}", strategy, tr("P's path met the lamp by itself."));
+    if (event.s == 0)
+        return fmt::format("{}{}", strategy,
+                           tr(event.from == event.to ? "P's path met the lamp by itself."
+                                                     : "P's path met the sky by itself."));
     return strategy + say("{} from the light, {} from P; {}.", event.s, event.t, way);
 }
 
@@ -82,7 +105,7 @@ const PathEvent* currentPathEvent(const AppState& state) {
 
 StepText describePathEvent(const AppState& state, const PathEvent& event) {
     StepText text;
-    text.where = say("path {}", event.path + 1);
+    text.where = whichPath(state, event);
     if (event.vertex > 0) text.where += say(", wall {}", event.vertex);
     switch (event.kind) {
         case PathEventKind::start:
@@ -98,7 +121,8 @@ StepText describePathEvent(const AppState& state, const PathEvent& event) {
             text.values = carried(event);
             break;
         case PathEventKind::escape:
-            text.what = "It met no wall: the sky answers.";
+            text.what = event.carried == Carried::radiance ? "It met no wall: the sky answers."
+                                                           : "It met no wall: this light is lost.";
             text.values = carried(event);
             break;
         case PathEventKind::depart:
@@ -117,18 +141,18 @@ StepText describePathEvent(const AppState& state, const PathEvent& event) {
                 say("It met {} by chance. {}",
                     event.segment == kNoSegment ? std::string(tr("the sky")) : wallName(state, event.segment),
                     shareOf(event));
-            text.values = added(event);
+            text.values = added(state, event);
             break;
         case PathEventKind::asked:
             text.what = event.visible
                             ? say("{} is asked; the way is free. {}", lampName(state, event), shareOf(event))
                             : say("{} is asked: nothing arrives from there.", lampName(state, event));
-            text.values = added(event);
+            text.values = added(state, event);
             break;
         case PathEventKind::joined:
             text.what = joinedHow(state, event);
-            text.values =
-                event.visible ? say("weight {:.3g}   {}", event.weight, added(event)) : added(event);
+            text.values = event.visible ? say("weight {:.3g}   {}", event.weight, added(state, event))
+                                        : added(state, event);
             break;
         case PathEventKind::kept:
             text.what = say("The photon is kept on {}.", wallName(state, event.segment));
@@ -138,7 +162,7 @@ StepText describePathEvent(const AppState& state, const PathEvent& event) {
             text.what = event.photons == 1
                             ? say("Look-up: 1 photon within {:g} m of here.", event.radius)
                             : say("Look-up: {} photons within {:g} m of here.", event.photons, event.radius);
-            text.values = added(event);
+            text.values = added(state, event);
             break;
     }
     text.what = tr(text.what);

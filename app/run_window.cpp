@@ -35,7 +35,7 @@ int runWindow(const WindowRequest& request) {
         return kExitFailure;
     }
     Autosave autosave(stateFolder(), static_cast<long>(getpid()));
-    if (const auto left = autosave.recovered())
+    if (const auto left = autosave.recovered(); left && !request.rules.kiosk)
         session.state.banner = fmt::format(
             "The program ended with unsaved changes. They are in {}: drop that file on this window, or open "
             "it (Ctrl O).",

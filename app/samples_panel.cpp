@@ -18,7 +18,11 @@ std::string nameOf(const AppState& state, const SampleRow& row) {
         row.segment == kNoSegment ? std::string(tr("the sky")) : state.scene->scene.segmentNames[row.segment];
     switch (row.kind) {
         case SampleRow::Kind::path:
-            return say("path {}", row.number + 1);
+            if (state.run == Run::light)
+                return row.number == 0 ? std::string(tr("straight from the lights"))
+                                       : say("path {}", row.number);
+            return state.run == Run::bidirectional ? say("pair {}", row.number + 1)
+                                                   : say("path {}", row.number + 1);
         case SampleRow::Kind::light:
             return row.segment == kNoSegment ? std::string(tr("shadow ray to a light"))
                                              : say("shadow ray to {}", wall);
@@ -68,7 +72,7 @@ void sampleLine(const Ui& ui, const SampleRow& row, double most) {
                 : say("adds {} W/m to E; click: to its step", value));
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float share = most > 0.0 ? static_cast<float>(std::clamp(gray(row.adds) / most, 0.0, 1.0)) : 0.0f;
-    const float bar = 0.3f * width, left = origin.x + width - bar;
+    const float bar = 0.18f * width, left = origin.x + width - bar;
     if (hovered) list.AddRectFilled(origin, {origin.x + width, origin.y + line}, ui.palette.currentLine);
     list.AddRectFilled({left, origin.y + 2 * ui.scale}, {left + share * bar, origin.y + line - 2 * ui.scale},
                        withOpacity(ui.palette.light, 0.75f));

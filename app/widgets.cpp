@@ -8,6 +8,7 @@
 
 #include "app/input_events.h"
 #include "app/language.h"
+#include "lessons/utf8.h"
 
 namespace halfdisk {
 
@@ -33,6 +34,19 @@ void forgetFormerText(const char* label) {
     const ImGuiID id = ImGui::GetID(label);
     ImGuiInputTextState* state = ImGui::GetInputTextState(id);
     if (state && ImGui::GetActiveID() != id) state->ID = 0;
+}
+
+/// What a field can hold: Dear ImGui 1.86 counts bytes of what is not UTF-8, or beyond 16 bits, wrongly, and
+/// its assertions end the program when they are deleted. Such characters become U+FFFD.
+std::string editable(std::string_view text) {
+    std::string held;
+    for (text = text.substr(0, text.find('\0')); !text.empty();) {
+        constexpr std::size_t kMostBytes = 3;
+        const std::size_t length = characterLength(text);
+        held += length == 0 || length > kMostBytes ? std::string_view("\uFFFD") : text.substr(0, length);
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return held;
 }
 
 Rect toRect(ImVec2 min, ImVec2 max) {
@@ -195,7 +209,9 @@ bool inputText(WidgetRegistry& registry, const char* label, std::string& value) 
     const float width = ImGui::CalcItemWidth();
     const std::string name = spoken(label);
     forgetFormerText(name.c_str());
-    const bool changed = ImGui::InputText(name.c_str(), &value);
+    std::string held = editable(value);
+    const bool changed = ImGui::InputText(name.c_str(), &held);
+    if (changed) value = held;
     noteFramed(registry, label, width, WidgetKind::input);
     return changed;
 }
@@ -209,8 +225,9 @@ bool inputTextAtEnd(WidgetRegistry& registry, const char* label, std::string& va
         data->CursorPos = data->SelectionStart = data->SelectionEnd = data->BufTextLen;
         return 0;
     };
-    const bool changed =
-        ImGui::InputText(label, &value, ImGuiInputTextFlags_CallbackAlways, toEnd, &entering);
+    std::string held = editable(value);
+    const bool changed = ImGui::InputText(label, &held, ImGuiInputTextFlags_CallbackAlways, toEnd, &entering);
+    if (changed) value = held;
     noteFramed(registry, label, width, WidgetKind::input);
     return changed;
 }
@@ -218,7 +235,9 @@ bool inputTextAtEnd(WidgetRegistry& registry, const char* label, std::string& va
 bool inputTextEntered(WidgetRegistry& registry, const char* label, std::string& value) {
     const float width = ImGui::CalcItemWidth();
     forgetFormerText(label);
-    const bool entered = ImGui::InputText(label, &value, ImGuiInputTextFlags_EnterReturnsTrue);
+    std::string held = editable(value);
+    const bool entered = ImGui::InputText(label, &held, ImGuiInputTextFlags_EnterReturnsTrue);
+    if (held != editable(value)) value = held;
     noteFramed(registry, label, width, WidgetKind::input);
     return entered;
 }

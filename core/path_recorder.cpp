@@ -99,6 +99,7 @@ void PathRecorder::joined(Vec2 from, Vec2 to, std::uint32_t s, std::uint32_t t, 
     if (event) {
         event->from = from;
         event->to = to;
+        event->vertex = 0;
         event->s = s;
         event->t = t;
         event->visible = visible;

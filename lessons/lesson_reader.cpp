@@ -132,6 +132,11 @@ class LessonReader {
         step.values = defaults_;
         if (set != nullptr) readValues("[step.set]", "set", *set, step.values);
         if (goal != nullptr) step.goal = readGoal(*goal);
+        if (step.goal && step.goal->quantity == GoalQuantity::drawn && !step.show.has(View::integrand))
+            failAt(file_, goal->where,
+                   "a curve is \"drawn\" in the integrand, expected \"integrand\" in \"show\"");
+        if (step.goal && step.goal->quantity == GoalQuantity::line && !step.show.has(View::code))
+            failAt(file_, goal->where, "a \"line\" is one of the code, expected \"code\" in \"show\"");
         if (question != nullptr) step.question = readQuestion(*question);
         if (claims != nullptr)
             for (const TomlValue& claim : listOfTables("claim", *claims, kMostClaims))
@@ -177,6 +182,10 @@ class LessonReader {
         if (atLeast == nullptr && atMost == nullptr)
             failAt(file_, value.where, "the goal has no number, expected \"atLeast\" or \"atMost\"");
         constexpr NumberRule kNumberRule{-1e300, 1e300, "a finite number"};
+        constexpr NumberRule kShareRule{0.0, 1.0, "a number from 0 to 1: how well the curves agree"};
+        if (quantity == GoalQuantity::drawn && atMost != nullptr)
+            failAt(file_, atMost->where, "a curve is to agree well, expected \"atLeast\"");
+        if (quantity == GoalQuantity::drawn) readNumber(file_, "atLeast", *atLeast, kShareRule);
         const Relation relation = atLeast != nullptr ? Relation::atLeast : Relation::atMost;
         return {says_,
                 quantity,

@@ -107,6 +107,9 @@ class LightEstimator : public Estimator {
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
         const Rng ofPass(problem_.seed, pass);
+        // What comes straight is told as one path before all others.
+        if (problem_.record && receiver_)
+            problem_.record->start(Carried::power, receiver_->at.P, Rgb(0.0), kNoSegment);
         for (std::uint32_t path = 0; receiver_ && path < paths_; ++path) {
             throwIfStopped(problem_.stop, path);
             askDirectly(ofPass.child(path), picture, counts);
@@ -124,7 +127,6 @@ class LightEstimator : public Estimator {
         const DrawnLight light = drawLight(lights_, *receiver_, rng.uniform(draws::kStart, draws::kPick),
                                            rng.uniform(draws::kStart, draws::kLight), counts);
         PathRecorder* const see = problem_.record;
-        if (see) see->start(Carried::power, receiver_->at.P, Rgb(0.0), light.segment);
         if (light.pdfAngle == 0.0 && !gathers(*receiver_)) return;
         const Response response = responseTo(*receiver_, light.L);
         const Rgb value = light.L_i * (response.weight / paths_);

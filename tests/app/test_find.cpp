@@ -477,3 +477,16 @@ TEST_CASE("what was typed before is not undone into another query") {
     CHECK(rig.state().palette.shown);
     CHECK(rig.state().palette.query.empty());
 }
+
+TEST_CASE("a query that is no text can be taken away letter by letter") {
+    const LessonsCopy folder;
+    Rig rig(busy(folder, false));
+    rig.apply(ShowPalette{true});
+    rig.apply(SetQuery{std::string("\xff\xfe", 2) + "\u03b8" + "\U0001F600" + std::string(1, '\xc3')});
+    rig.driver.frames(3);
+    rig.driver.typeText("x");
+    for (int i = 0; i < 8; ++i) rig.driver.pressKey(Key::backspace);
+    rig.driver.frames(2);
+    CHECK(rig.state().palette.shown);
+    CHECK(rig.state().palette.query.empty());
+}

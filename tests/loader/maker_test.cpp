@@ -37,7 +37,9 @@ double valueOf(const Maker& maker, std::string_view name) {
 }  // namespace
 
 TEST_CASE("a goal may ask for a line, any of several, and a step for another run") {
-    const Goal goal = *stepOf(kGoal + "says = 'Go'\nreach = 'line'\nlines = [27, 30]\n").goal;
+    const Goal goal = *stepOf(kHead + kStep +
+                              "show = ['code']\n[step.goal]\nsays = 'Go'\nreach = 'line'\nlines = [27, 30]\n")
+                           .goal;
     CHECK(goal.quantity == GoalQuantity::line);
     CHECK(goal.lines == std::vector{27, 30});
     CHECK(stepOf(kSet + "run = 'photon-map'\n").values.run == Run::photonMap);
@@ -114,6 +116,10 @@ TEST_CASE("a wrong goal is told with its place") {
     check(kGoal + "says = 'Go'\nreach = ^'ray'\natLeast = 1\n", {"\"rays\""});
     check(kHead + kStep + "^[step.goal]\nsays = 'Go'\nreach = 'line'\n", {"no \"lines\""});
     check(kGoal + "says = 'Go'\nreach = 'line'\nlines = ^[]\n", {"is empty"});
+    check(kHead + kStep + "^[step.goal]\nsays = 'Go'\nreach = 'line'\nlines = [3]\n", {"\"code\""});
+    check(kHead + kStep + "^[step.goal]\nsays = 'Go'\nreach = 'drawn'\natLeast = 0.5\n", {"\"integrand\""});
+    check(kGoal + "says = 'Go'\nreach = 'drawn'\natLeast = ^5\n", {"from 0 to 1"});
+    check(kGoal + "says = 'Go'\nreach = 'drawn'\natMost = ^0.5\n", {"\"atLeast\""});
     check(kGoal + "says = 'Go'\nreach = 'line'\nlines = [3, ^99]\n", {"34"});
     check(kGoal + "says = 'Go'\nreach = 'line'\nlines = [3]\natLeast = ^1\n", {"has no number"});
     check(kGoal + "says = 'Go'\nreach = 'rays'\natLeast = 1\nlines = ^[3]\n", {"belong to a goal"});

@@ -6,6 +6,8 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "app/edit_commands.h"
@@ -16,8 +18,17 @@ namespace {
 
 constexpr std::string_view kUnsaved = "unsaved-";
 
+/// Dead, though nobody has asked how it ended: `PID (name) Z ...`, where the name may hold anything.
+bool isZombie(long process) {
+    std::ifstream stat(fmt::format("/proc/{}/stat", process));
+    const std::string words{std::istreambuf_iterator<char>(stat), {}};
+    const std::size_t name = words.rfind(") ");
+    return name != std::string::npos && words.compare(name + 2, 1, "Z") == 0;
+}
+
 /// Also if it belongs to somebody else.
 bool isRunning(long process) {
+    if (isZombie(process)) return false;
     return kill(static_cast<pid_t>(process), 0) == 0 || errno == EPERM;
 }
 

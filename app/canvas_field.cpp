@@ -10,6 +10,7 @@
 #include "app/false_color.h"
 #include "app/language.h"
 #include "app/picture_stages.h"
+#include "app/shown_pictures.h"
 #include "app/tone.h"
 #include "core/surface.h"
 
@@ -150,8 +151,8 @@ void drawSplit(const Canvas& canvas) {
     canvas.list.AddCircle({x, middle}, canvas.px(9), color, 0, canvas.px(2));
     const Maker first = state.makers.first ? *state.makers.first : usualMaker(View::field);
     const float gap = canvas.px(14);
-    drawHalfTitle(canvas, titleOf(first, &*state.makers.second), "A", x - gap, Align::right);
-    drawHalfTitle(canvas, titleOf(*state.makers.second, &first), "B", x + gap, Align::left);
+    drawHalfTitle(canvas, makerTitle(first, &*state.makers.second), "A", x - gap, Align::right);
+    drawHalfTitle(canvas, makerTitle(*state.makers.second, &first), "B", x + gap, Align::left);
 }
 
 void drawWays(const Canvas& canvas) {

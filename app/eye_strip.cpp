@@ -11,6 +11,7 @@
 #include "app/pen.h"
 #include "app/picture_stages.h"
 #include "app/plot_words.h"
+#include "app/shown_pictures.h"
 
 namespace halfdisk {
 namespace {
@@ -35,10 +36,10 @@ std::vector<Row> rowsOf(const AppState& state) {
     const Maker first = state.makers.first.value_or(usualMaker(View::eye));
     const Maker* second = state.makers.second ? &*state.makers.second : nullptr;
     std::vector<Row> rows{{state.answer ? state.answer->pictures.eye.get() : nullptr,
-                           state.makers.first ? titleOf(first, second) : "",
+                           state.makers.first ? makerTitle(first, second) : "",
                            second ? differenceOf(first, *second) : "", "eye strip"}};
     if (second)
-        rows.push_back({state.answer ? state.answer->against.eye.get() : nullptr, titleOf(*second, &first),
+        rows.push_back({state.answer ? state.answer->against.eye.get() : nullptr, makerTitle(*second, &first),
                         differenceOf(*second, first), "eye strip B"});
     return rows;
 }
@@ -89,7 +90,7 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) 
     const std::string what = drawingTitle(ui.state, "eye");
     const std::string words = row.maker.empty()
                                   ? what
-                                  : firstThatFits({fmt::format("{}: {}", what, row.maker), row.maker,
+                                  : firstThatFits({fmt::format("{}: {}", tr(what), row.maker), row.maker,
                                                    row.difference.empty() ? row.maker : row.difference},
                                                   width);
     const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, words);

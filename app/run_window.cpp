@@ -10,6 +10,7 @@
 #include "app/export_files.h"
 #include "app/file_watch.h"
 #include "app/frame.h"
+#include "app/language.h"
 #include "app/opening.h"
 #include "app/recent_files.h"
 #include "app/window_host.h"
@@ -34,9 +35,10 @@ int runWindow(const WindowRequest& request) {
                    whyNot);
         return kExitFailure;
     }
+    speak(findLanguage(session.languages, session.state.language));
     Autosave autosave(stateFolder(), static_cast<long>(getpid()));
     if (const auto left = autosave.recovered(); left && !request.rules.kiosk)
-        session.state.banner = fmt::format(
+        session.state.banner = say(
             "The program ended with unsaved changes. They are in {}: drop that file on this window, or open "
             "it (Ctrl O).",
             left->string());

@@ -8,6 +8,9 @@
 
 namespace halfdisk {
 
+/// The estimator's title in the window's language, and what tells it from another one (may be null).
+std::string makerTitle(const Maker& maker, const Maker* other);
+
 struct ShownPicture {
     const LightPicture* picture;  ///< has passes
     std::string maker;            ///< the estimator's title, and what tells it from the other one

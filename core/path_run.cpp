@@ -1,6 +1,6 @@
 #include "path_run.h"
 
-#include <algorithm>
+#include <stdexcept>
 
 namespace halfdisk {
 namespace {
@@ -33,7 +33,13 @@ PathRun recordPaths(const EstimatorInfo& info, const SegmentIndex& index, const 
                           .record = &recorder};
     run.refusal = refusalOf(info, problem, params);
     if (!run.refusal.empty()) return run;
-    const auto estimator = info.make(problem, params);
+    std::unique_ptr<Estimator> estimator;
+    try {
+        estimator = info.make(problem, params);
+    } catch (const std::invalid_argument& refusal) {  // found on the way
+        run.refusal = refusal.what();
+        return run;
+    }
     Statistics values;
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
         Picture picture(1, Rgb(0.0));

@@ -1,5 +1,6 @@
 // Do unsaved changes outlive a program that is killed?
 #include <doctest/doctest.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -83,4 +84,20 @@ TEST_CASE("a folder that cannot be written is told once, and the work goes on") 
     moveFirst(state, 0.25);
     autosave.look(state, 100.0);
     CHECK(state.banner.empty());
+}
+
+TEST_CASE("a program that was killed counts as dead even before anybody asked how it ended") {
+    const LessonsCopy lessons;
+    const std::filesystem::path keep = lessons.folder / "state";
+    std::filesystem::create_directories(keep);
+    const pid_t child = fork();
+    REQUIRE(child >= 0);
+    if (child == 0) _exit(0);
+    siginfo_t how{};
+    REQUIRE(waitid(P_PID, static_cast<id_t>(child), &how, WEXITED | WNOWAIT) == 0);  // it stays a zombie
+    const Autosave killed(keep, child);
+    std::ofstream(killed.file()) << "title = \"left\"\n";
+    const Autosave next(keep, static_cast<long>(getpid()));
+    CHECK(next.recovered().has_value());
+    CHECK(waitpid(child, nullptr, 0) == child);
 }

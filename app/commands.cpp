@@ -12,6 +12,12 @@
 #include "core/overload.h"
 
 namespace halfdisk {
+
+Command::Command(const Command& other) = default;
+Command::Command(Command&& other) noexcept = default;
+Command& Command::operator=(const Command& other) = default;
+Command& Command::operator=(Command&& other) noexcept = default;
+Command::~Command() = default;
 namespace {
 
 void stepEvents(AppState& state, int by) {

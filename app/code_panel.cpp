@@ -9,6 +9,7 @@
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
 #include "app/language.h"
+#include "app/message_words.h"
 #include "app/panels.h"
 #include "app/run_text.h"
 
@@ -74,7 +75,7 @@ void stepWords(const Ui& ui) {
     const bool refused = state.answer && state.answer->pathRun && !state.answer->pathRun->refusal.empty();
     if (refused) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.error);
-        textWrapped(ui.widgets, state.answer->pathRun->refusal);
+        textWrapped(ui.widgets, trMessage(state.answer->pathRun->refusal));
         ImGui::PopStyleColor();
     } else if (words.where.empty()) {
         textWrapped(ui.widgets, "Press Step to walk through this run.");

@@ -7,6 +7,7 @@
 
 #include "app/language.h"
 #include "app/light_progress.h"
+#include "app/message_words.h"
 #include "app/plot_tables.h"
 #include "app/plot_words.h"
 #include "app/share_text.h"
@@ -93,7 +94,7 @@ void exportIfReady(Session& session, const FrameMaker& maker, const fs::path& pa
         state.exportWished = false;
         std::error_code none;
         if (!folder.empty()) fs::remove_all(folder, none);  // it was made just now
-        state.banner = say("Nothing is exported: {}", error.what());
+        state.banner = say("Nothing is exported: {}", trMessage(error.what()));
     }
 }
 

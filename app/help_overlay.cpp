@@ -6,8 +6,10 @@
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
 #include "app/key_help.h"
+#include "app/key_words.h"
 #include "app/language.h"
 #include "app/light_progress.h"
+#include "app/message_words.h"
 #include "app/panels.h"
 
 namespace halfdisk {
@@ -16,7 +18,8 @@ namespace {
 /// Of the keys, pixels.
 float widestKeys(const Ui& ui) {
     float width = 0.0f;
-    for (const KeyHelp& key : kKeyHelp) width = std::max(width, textSize(key.keys, ui.fonts.strong).x);
+    for (const KeyHelp& key : kKeyHelp)
+        width = std::max(width, textSize(keyWords(key.keys), ui.fonts.strong).x);
     return width;
 }
 
@@ -63,7 +66,7 @@ void helpOverlay(const Ui& ui) {
             ImGui::BeginGroup();
         }
         ImGui::PushFont(ui.fonts.strong);
-        text(ui.widgets, kKeyHelp[i].keys);
+        text(ui.widgets, keyWords(kKeyHelp[i].keys));
         ImGui::PopFont();
         ImGui::SameLine(indent);
         text(ui.widgets, kKeyHelp[i].meaning);
@@ -107,7 +110,8 @@ bool messageBar(const Ui& ui, ImU32 ground, std::string_view words, const char* 
 }  // namespace
 
 void bannerBar(const Ui& ui) {
-    if (messageBar(ui, ui.palette.error, ui.state.banner, "Dismiss")) ui.commands.push_back(DismissBanner{});
+    if (messageBar(ui, ui.palette.error, trMessage(ui.state.banner), "Dismiss"))
+        ui.commands.push_back(DismissBanner{});
 }
 
 void noticeBar(const Ui& ui) {

@@ -45,14 +45,14 @@ std::string raysWords(const AppState& state) {
         for (std::size_t i = 0; i < std::min(most.size(), kMostWalls); ++i)
             words += fmt::format("{} {} ({})", i > 0 ? "," : "", most[i].first, most[i].second);
         if (most.size() > kMostWalls) words += say(" and {} other walls", most.size() - kMostWalls);
-        words += say(". {} bring nothing.", dark);
+        words += say(". Of these bring nothing: {}.", dark);
         if (gray(brightest->value) > 0.0)
             words += say(" The brightest brings {} W/(m rad) along the direction {}.",
                          shown(brightest->value), placeWords(brightest->direction));
     }
     if (shadowRays > 0)
-        words +=
-            say("{}Shadow rays to lights: {}. {} get through.", words.empty() ? "" : "\n", shadowRays, clear);
+        words += say("{}Shadow rays to lights: {}; of these free: {}.", words.empty() ? "" : "\n", shadowRays,
+                     clear);
     return words;
 }
 

@@ -76,8 +76,29 @@ std::optional<std::string> toldWhole(std::string_view message, int depth) {
     return words.append(form);
 }
 
+/// Length of `file:line:column: ` before a message; 0: there is none.
+std::size_t placeOf(std::string_view message) {
+    constexpr std::string_view kDigits = "0123456789";
+    for (std::size_t at = message.find(": "); at != std::string_view::npos; at = message.find(": ", at + 1)) {
+        std::string_view place = message.substr(0, at);
+        int numbers = 0;
+        while (numbers < 2 && !place.empty() && kDigits.find(place.back()) != std::string_view::npos) {
+            place = place.substr(0, place.find_last_not_of(kDigits) + 1);
+            if (!place.ends_with(':')) break;
+            place.remove_suffix(1);
+            ++numbers;
+        }
+        if (numbers == 2) return at + 2;
+    }
+    return 0;
+}
+
 std::optional<std::string> told(std::string_view message, int depth) {
     if (depth > kDeepest) return std::nullopt;
+    if (const std::size_t place = placeOf(message); place > 0) {
+        const auto rest = told(message.substr(place), depth + 1);
+        return rest ? std::optional(std::string(message.substr(0, place)) + *rest) : std::nullopt;
+    }
     if (auto whole = toldWhole(message, depth)) return whole;
     constexpr std::string_view kColon = ": ";
     for (std::size_t at = message.find(kColon); at != std::string_view::npos;

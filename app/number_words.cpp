@@ -77,9 +77,9 @@ std::vector<NumberWords> numberWords(const AppState& state) {
     if (state.shows(View::exact)) {
         add(numbers, "exact E", answer.exact ? irradiance(*answer.exact) : std::string(tr("not known")));
         if (counted && answer.exact && gray(*answer.exact) != 0.0)
-            numbers.push_back(
-                {"off by", fmt::format("{:+.1f} %",
-                                       100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0))});
+            add(numbers, "off by",
+                fmt::format("{:+.1f} %",
+                            100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0)));
     }
     if (counted) {
         add(numbers, "L of the wall",

@@ -215,7 +215,7 @@ AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optio
         goTo(state, {entry.slug, 1});
         return state;
     }
-    throw InputError(lessonsFolder.string() + ": no lesson that can be read, expected files NN-name.toml");
+    throw InputError(lessonsFolder.string(), "no lesson that can be read, expected files NN-name.toml");
 }
 
 AppState openDescribed(const std::filesystem::path& lessonsFolder, const SceneDescription& scene) {

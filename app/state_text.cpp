@@ -83,30 +83,43 @@ void addLesson(WordsPage& page, const AppState& state) {
     if (state.answerShown) page.fact(tr("Answer"), plainText(step->question->answer));
 }
 
+/// Rays and source are castRay's unless something else runs.
+std::string_view meaningOf(const Named<View>& view, Run run) {
+    if (run != Run::castRay && view.value == View::rays) return "the paths of the run";
+    if (run != Run::castRay && view.value == View::code)
+        return "the source of what runs, with the current line lit";
+    return view.meaning;
+}
+
 std::string_view meaningOf(Run run) {
     for (const Named<Run>& known : kRuns)
         if (known.value == run) return known.meaning;
     return {};
 }
 
-void addSettings(WordsPage& page, const AppState& state) {
-    const Settings& settings = state.settings;
-    page.heading(tr("Settings"));
-    page.fact(tr("N, samples per bounce"), std::to_string(settings.samples));
-    page.fact("maxDepth", std::to_string(settings.maxDepth));
-    page.fact("seed", std::to_string(settings.seed));
+/// Of castRay's run alone.
+void addCastRaySettings(WordsPage& page, const Settings& settings) {
     for (const auto& sampler : kSamplers)
         if (sampler.value == settings.sampler)
-            page.fact("sampler", fmt::format("{}: {}", sampler.name, tr(sampler.meaning)));
+            page.fact("sampler", fmt::format("{} ({})", sampler.name, tr(sampler.meaning)));
     for (const auto& emitters : kEmitters)
         if (emitters.value == settings.emitters)
-            page.fact("emitters", fmt::format("{}: {}", emitters.name, tr(emitters.meaning)));
-    page.fact(tr("run"), fmt::format("{}: {}", nameOf(kRuns, state.run), tr(meaningOf(state.run))));
-    if (settings.defects == DefectSet{} && state.run == Run::castRay)
-        page.fact(tr("source"), tr("the corrected castRay"));
+            page.fact("emitters", fmt::format("{} ({})", emitters.name, tr(emitters.meaning)));
+    if (settings.defects == DefectSet{}) page.fact(tr("source"), tr("the corrected castRay"));
     for (const auto& defect : kDefects)
         if (settings.defects.has(defect.value))
-            page.fact(tr("as printed"), fmt::format("{}: {}", defect.name, tr(defect.meaning)));
+            page.fact(tr("as printed"), fmt::format("{} ({})", defect.name, tr(defect.meaning)));
+}
+
+void addSettings(WordsPage& page, const AppState& state) {
+    const Settings& settings = state.settings;
+    const bool castRay = state.run == Run::castRay;
+    page.heading(tr("Settings"));
+    page.fact(tr("run"), fmt::format("{} ({})", nameOf(kRuns, state.run), tr(meaningOf(state.run))));
+    page.fact(tr(castRay ? "N, samples per bounce" : "N, paths"), std::to_string(settings.samples));
+    page.fact("maxDepth", std::to_string(settings.maxDepth));
+    page.fact("seed", std::to_string(settings.seed));
+    if (castRay) addCastRaySettings(page, settings);
     if (const Step* step = state.currentStep(); step && step->unlock)
         for (const auto& control : kControls)
             if (control.value == *step->unlock) page.fact(tr("this step unlocks"), tr(control.meaning));
@@ -235,7 +248,7 @@ std::string stateText(const AppState& state) {
     addLesson(page, state);
     page.heading(tr("Shown"));
     for (const Named<View>& view : kViews)
-        if (state.shows(view.value)) page.item(tr(view.meaning));
+        if (state.shows(view.value)) page.item(tr(meaningOf(view, state.run)));
     addSettings(page, state);
     addMakers(page, state);
     addScene(page, state);

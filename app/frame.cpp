@@ -157,18 +157,20 @@ void columns(const Ui& ui) {
     column(ui, Pane::controls, all - right, right, 0.0f);
 }
 
-/// Play: four steps a second.
+/// Play.
 void advance(AppState& state) {
     Playback& playback = state.playback;
     if (!playback.playing) return;
-    constexpr float kSecondsPerStep = 0.25f;
-    playback.sinceLast += ImGui::GetIO().DeltaTime;
-    if (playback.sinceLast < kSecondsPerStep) return;
-    playback.sinceLast = 0.0f;
-    if (playback.event < state.eventCount())
-        ++playback.event;
-    else
-        playback.playing = false;
+    const float speed = kStepsPerSecond[static_cast<std::size_t>(state.speed)];
+    constexpr float kLongestFrame = 0.25f;  // s: after a pause of the program it does not jump
+    playback.sinceLast += std::min(ImGui::GetIO().DeltaTime, kLongestFrame);
+    const float steps = std::floor(playback.sinceLast * speed);
+    if (steps < 1.0f) return;
+    playback.sinceLast -= steps / speed;
+    const std::size_t count = state.eventCount();
+    if (playback.event >= count) playback.playing = false;
+    playback.event =
+        std::min(playback.event + static_cast<std::size_t>(steps), std::max(count, playback.event));
 }
 
 /// An answer about another scene has walls that this one lacks.

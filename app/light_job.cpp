@@ -89,6 +89,7 @@ void LightJob::run() {
         // First pictures at once, for what is exactly known may take a while.
         if (!superseded()) refinePictures(answer, pictures, cancelled_, publishNow, 1);
         if (!superseded()) refine(answer, references, cancelled_, publishNow);
+        if (!superseded()) findExactPictures(answer, references, cancelled_);
         if (!superseded()) refinePictures(answer, pictures, cancelled_, publishNow, UINT_MAX);
         if (!superseded()) {
             answer.complete = true;

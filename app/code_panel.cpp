@@ -44,7 +44,8 @@ void scrub(const Ui& ui, std::size_t count) {
     const Playback& playback = ui.state.playback;
     constexpr std::size_t kMost = 1'000'000'000;
     const int most = static_cast<int>(std::min(count, kMost));
-    const std::string position = playback.stepping ? fmt::format("%d / {}", count) : std::string(tr("whole run"));
+    const std::string position =
+        playback.stepping ? fmt::format("%d / {}", count) : std::string(tr("whole run"));
     int event = playback.stepping ? static_cast<int>(std::min<std::size_t>(playback.event, kMost)) : most;
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
     ImGui::BeginDisabled(count == 0);

@@ -128,6 +128,7 @@ struct LightAnswer {
     std::vector<std::pair<std::string, std::size_t>> wayWords;  ///< how many have each word, commonest first
     std::optional<std::size_t> throughPupil;  ///< how many of them pass the eye, if there is one
 
+    std::string failure;  ///< not empty: why nothing more will come
     bool complete = false;
 };
 

@@ -76,7 +76,8 @@ void readSettings(const Json& json, Settings& settings) {
 AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     AppState state;
     SceneDescription scene;
-    const bool ownScene = json.contains("scene") && json["scene"].is_string();
+    const bool ownScene = json.contains("scene");
+    if (ownScene && !json["scene"].is_string()) failDamaged();
     if (ownScene) scene = parseScene(json["scene"].get<std::string>(), "the shared scene");
     if (json.contains("lesson") && json["lesson"].is_string()) {
         const auto step = static_cast<int>(whole(json, "step", 1, 200));

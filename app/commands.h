@@ -116,6 +116,9 @@ struct JumpToLine {
 struct JumpToSource {
     SourceLine from, to;  ///< the same for an estimator's own source: lines from ... to - 1 of one file
 };
+struct SetSpeed {
+    PlaySpeed speed;
+};
 struct ShowWholeRun {};
 struct TogglePlay {};
 struct SetCamera {
@@ -188,13 +191,13 @@ using AnyCommand =
                  SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SetMakers, SetSplit,
                  SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected, SetMaterial,
                  AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene,
-                 MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, TogglePlay,
-                 SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, ShowPane,
-                 HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage,
+                 MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, SetSpeed,
+                 TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong,
+                 ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage,
                  ToggleHelp, ShowPalette, SetQuery, SelectEntry, ShowFiles, SetFilePath, SelectFile,
                  DismissBanner, ExportSeen, DismissNotice>;
-/// Its special members are compiled once, in commands.cpp: instantiated in every panel they were a third of the
-/// build's time.
+/// Its special members are compiled once, in commands.cpp: instantiated in every panel they were a third of
+/// the build's time.
 struct Command : AnyCommand {
     using AnyCommand::AnyCommand;
     Command(const Command& other);

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "lessons/lesson_file.h"
+#include "lessons/suggestions.h"
 #include "temp_folder.h"
 
 using namespace halfdisk;
@@ -89,4 +90,10 @@ TEST_CASE("references find their lesson and step or say what there is") {
     CHECK(stepIndex(lesson, {"sample", 3}) == 2);
     CHECK_THROWS_WITH_AS(stepIndex(lesson, {"sample", 4}),
                          doctest::Contains("no step 4, expected a step from 1 to 3"), InputError);
+}
+
+TEST_CASE("a word that is refused is never offered instead of itself") {
+    CHECK(expectedOneOf("sed", {"seed", "step"}) ==
+          "expected one of \"seed\" or \"step\"; did you mean \"seed\"?");
+    CHECK(expectedOneOf("seed", {"seed", "step"}) == "expected one of \"seed\" or \"step\"");
 }

@@ -46,8 +46,7 @@ LessonEntry entryOf(const fs::path& path) {
 /// A scene may lie beside the lessons.
 bool isScene(const fs::path& path) {
     try {
-        loadScene(path);
-        return true;
+        return !loadScene(path).shapes.empty();
     } catch (const InputError&) {
         return false;
     }

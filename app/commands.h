@@ -47,6 +47,9 @@ struct FilterSamples {
 struct SetMakers {
     Makers makers;
 };
+struct WeighStrategies {
+    bool alone;  ///< each counts whole
+};
 struct SetSplit {
     float split;
 };
@@ -185,16 +188,16 @@ struct DismissNotice {};  ///< and no export any more
 
 using AnyCommand =
     std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, CopyState, Reload,
-                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SetMakers, SetSplit,
-                 SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected, SetMaterial,
-                 AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene,
-                 MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, TogglePlay,
-                 SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, ShowPane,
-                 HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage,
+                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SetMakers, WeighStrategies,
+                 SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected,
+                 SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath,
+                 SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun,
+                 TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong,
+                 ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage,
                  ToggleHelp, ShowPalette, SetQuery, SelectEntry, ShowFiles, SetFilePath, SelectFile,
                  DismissBanner, ExportSeen, DismissNotice>;
-/// Its special members are compiled once, in commands.cpp: instantiated in every panel they were a third of the
-/// build's time.
+/// Its special members are compiled once, in commands.cpp: instantiated in every panel they were a third of
+/// the build's time.
 struct Command : AnyCommand {
     using AnyCommand::AnyCommand;
     Command(const Command& other);

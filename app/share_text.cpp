@@ -94,11 +94,12 @@ AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     if (!json.contains("t") || !json["t"].is_number()) failDamaged();
     state.at.t = json["t"].get<double>();
     if (!(state.at.t >= 0.0 && state.at.t <= 1.0)) failDamaged();
-    state.show.bits = static_cast<std::uint16_t>(whole(json, "show", 0, (1u << kViews.size()) - 1u));
+    state.show.bits = static_cast<std::uint32_t>(whole(json, "show", 0, (1u << kViews.size()) - 1u));
     state.makers = {};
     if (json.contains("first")) state.makers.first = makerOfJson(json["first"]);
     if (json.contains("second")) state.makers.second = makerOfJson(json["second"]);
     if (json.contains("scale")) state.scale = named(json, "scale", kFieldScales);
+    state.strategiesAlone = json.contains("alone") && json["alone"] == true;
     if (json.contains("run")) state.run = named(json, "run", kRuns);
     state.playback.stepping = json.contains("event");
     state.playback.event = state.playback.stepping ? whole(json, "event", 0, UINT32_MAX) : 0;
@@ -133,6 +134,7 @@ std::string shareText(const AppState& state) {
     if (state.makers.first) json["first"] = jsonOf(*state.makers.first);
     if (state.makers.second) json["second"] = jsonOf(*state.makers.second);
     if (state.scale != FieldScale::light) json["scale"] = std::string(nameOf(kFieldScales, state.scale));
+    if (state.strategiesAlone) json["alone"] = true;
     if (state.run != Run::castRay) json["run"] = std::string(nameOf(kRuns, state.run));
     if (state.playback.stepping) json["event"] = state.playback.event;
     return std::string(kPrefix) + packedText(json.dump());

@@ -46,7 +46,9 @@ void stage(const Ui& ui) {
     }
     const ImVec2 all = ImGui::GetContentRegionAvail();
     if ((!code && !plot) || (low && !state.canvasHidden)) return scenePanels(ui, all);
-    const float below = std::floor(code || grid ? 0.46f * all.y : std::min(0.4f * all.y, 300 * ui.scale));
+    const float below = std::floor(grid   ? 0.5f * all.y
+                                   : code ? 0.46f * all.y
+                                          : std::min(0.4f * all.y, 300 * ui.scale));
     const ImVec2 rest{all.x, low ? all.y : below};
     if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     if (code)
@@ -88,7 +90,10 @@ void controls(const Ui& ui) {
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float count = static_cast<float>(plots.size());
     const float height = std::clamp((left.y - spacing * (count - 1)) / count, 170 * ui.scale, 260 * ui.scale);
-    for (const auto plot : plots) plot(ui, {left.x, std::floor(height)});
+    // Five rows with words in each.
+    const float rows = 360 * ui.scale;
+    for (const auto plot : plots)
+        plot(ui, {left.x, std::floor(plot == strategiesPanel ? std::max(height, rows) : height)});
 }
 
 void column(const Ui& ui, Pane pane, float x, float width, float top) {

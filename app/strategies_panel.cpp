@@ -16,19 +16,29 @@ constexpr const char* kAlone = "each by itself";
 
 std::string percent(double share) {
     const double number = 100.0 * share;
-    return fmt::format("{:.{}f}%", number, number > 0.0 && number < 9.95 ? 1 : 0);
+    return fmt::format("{:.{}f} %", number, number > 0.0 && number < 9.95 ? 1 : 0);
+}
+
+/// Of what has found light, as short as it can be read from far away.
+std::string wholePercent(double share) {
+    return share < 0.005 ? "<1%" : fmt::format("{:.0f}%", 100.0 * share);
 }
 
 const char* unitOf(const StrategyGrid& grid) {
     return grid.ofEye() ? "W/(m rad)" : "W/m";
 }
 
+/// Where a strategy's share stands as a number.
+enum class NumberAt : std::uint8_t { below, beside, nowhere };
+
 /// Where the cells stand (pixels).
 struct Cells {
     ImVec2 origin;     ///< left upper corner of the one for s = 0, of the shortest paths
     float width, row;  ///< from one to the next
     float gap;
-    bool twoLines;
+    NumberAt number;
+    float widestNumber;
+    bool brief;  ///< "1, 2" instead of "s=1 t=2"
 
     ImVec2 at(Strategy strategy) const {
         return {std::round(origin.x + static_cast<float>(strategy.s) * width),
@@ -110,6 +120,34 @@ void drawStrip(const Ui& ui, const StrategyGrid& grid, std::size_t place, ImVec2
         list.screen.AddRectFilled({edge(i), min.y}, {edge(i + 1), max.y}, colors[i]);
 }
 
+std::string labelOf(Strategy strategy, bool brief) {
+    return brief ? fmt::format("{}, {}", strategy.s, strategy.t)
+                 : fmt::format("s={} t={}", strategy.s, strategy.t);
+}
+
+float heightBelow(const Ui& ui, const Cells& cells) {
+    return cells.number == NumberAt::below ? ImGui::GetFontSize() : std::round(4 * ui.scale);
+}
+
+/// A bar and a number, below the strip of a cell from `min` to `max`.
+void drawShare(const Ui& ui, const Cells& cells, float share, ImVec2 min, ImVec2 max) {
+    const float least = 20 * ui.scale, line = ImGui::GetFontSize();
+    float left = min.x, right = max.x, top = max.y - heightBelow(ui, cells), bottom = max.y;
+    if (cells.number != NumberAt::nowhere)
+        drawText(ui, {max.x, cells.number == NumberAt::below ? top : min.y}, ui.palette.estimate,
+                 wholePercent(share), Align::right);
+    if (cells.number == NumberAt::below) {
+        right -= cells.widestNumber + 4 * ui.scale;
+        top = std::round(top + 0.3f * line);
+        bottom = std::round(bottom - 0.25f * line);
+    }
+    if (right - left < least) return;  // the number says it
+    const Pen list = penOf(ui);
+    list.AddRectFilled({left, top}, {right, bottom}, ui.palette.grid);
+    list.AddRectFilled({left, top}, {left + std::clamp(share, 0.0f, 1.0f) * (right - left), bottom},
+                       ui.palette.estimate);
+}
+
 void drawCell(const Ui& ui, const StrategyGrid& grid, const Cells& cells, std::size_t place) {
     const AppState& state = ui.state;
     const Strategy strategy = grid.film.table[place];
@@ -131,27 +169,18 @@ void drawCell(const Ui& ui, const StrategyGrid& grid, const Cells& cells, std::s
     if (clicked && mayChoose(state))
         ui.commands.push_back(SetMakers{{makerShowing(state, strategy, chosen), state.makers.second}});
 
-    const std::string part = nothing ? "\u2013" : percent(share);
-    const std::string full = fmt::format("s={} t={}", strategy.s, strategy.t),
-                      brief = fmt::format("{}, {}", strategy.s, strategy.t);
-    const float rest = cells.twoLines ? 0.0f : textSize(part).x + 4 * scale;
-    drawText(ui, at, nothing ? ui.palette.inkSoft : ui.palette.ink,
-             firstThatFits({full, brief}, end.x - at.x - rest));
-    const float second = cells.twoLines ? at.y + line : at.y;
-    drawText(ui, {cells.twoLines ? at.x : end.x, second}, nothing ? ui.palette.inkSoft : ui.palette.estimate,
-             part, cells.twoLines ? Align::left : Align::right);
+    drawText(ui, at, nothing ? ui.palette.inkSoft : ui.palette.ink, labelOf(strategy, cells.brief));
 
     const Pen list = penOf(ui);
-    const float bar = std::round(4 * scale);
-    const ImVec2 min{at.x, std::round(second + line + 2 * scale)}, max{end.x, end.y - bar - scale};
-    if (nothing)
-        list.AddRectFilled(min, max, ui.palette.panel);
-    else
+    const ImVec2 max{end.x, end.y - heightBelow(ui, cells) - scale},
+        min{at.x, std::min(std::round(at.y + line + scale), max.y - 2 * scale)};
+    if (nothing) {
+        list.AddRect(min, max, ui.palette.grid);
+    } else {
         drawStrip(ui, grid, place, min, max);
-    list.AddRect(min, max, ui.palette.wallBack);
-    list.AddRectFilled({at.x, end.y - bar}, end, ui.palette.grid);
-    list.AddRectFilled({at.x, end.y - bar}, {at.x + std::clamp(share, 0.0f, 1.0f) * (end.x - at.x), end.y},
-                       ui.palette.estimate);
+        list.AddRect(min, max, ui.palette.wallBack);
+        drawShare(ui, cells, share, at, end);
+    }
     if (chosen || (hovered && mayChoose(state)))
         list.AddRect({min.x - 2 * scale, min.y - 2 * scale}, {max.x + 2 * scale, max.y + 2 * scale},
                      ui.palette.accent, 0.0f, ImDrawFlags_None, 2 * scale);
@@ -168,7 +197,7 @@ void drawLegend(const Ui& ui, const StrategyGrid& grid, const Cells& cells, floa
         lines.push_back({say("shares of all light: together 100 %"), say("together 100 %")});
     const std::string white = grid.white > 0.0 ? say("white: \u2265 {} {}", shown(grid.white), unitOf(grid))
                                                : std::string(tr("all black"));
-    lines.push_back({white, white});
+    lines.push_back({white, grid.white > 0.0 ? say("white: \u2265 {}", shown(grid.white)) : white});
     if (grid.hasLonger) {
         const std::string share = percent(grid.share(grid.film.table.longer(), false));
         lines.push_back(
@@ -194,13 +223,21 @@ Cells layOut(const Ui& ui, const StrategyGrid& grid, ImVec2 min, ImVec2 max) {
     const float columns = std::max(kLeastColumns, static_cast<float>(grid.longest + (grid.ofEye() ? 0 : 1)));
     Cells cells;
     cells.origin = {min.x + head, min.y};
-    cells.gap = 2 * scale;
+    cells.gap = 3 * scale;
     cells.width = (max.x - min.x - head + 2 * cells.gap) / columns;
     cells.row = std::min((max.y - min.y + 2 * cells.gap) / rows, kMostRow * scale);
-    cells.twoLines = cells.inner() < textSize("1, 2").x + textSize("9.7%").x + 4 * scale;
+    float widest = 0.0f;
+    for (std::size_t place = 0; place < grid.film.table.size(); ++place)
+        widest = std::max(widest, textSize(wholePercent(grid.share(place, ui.state.strategiesAlone))).x);
+    const auto fit = [&](bool brief, float more) {
+        return textSize(labelOf({0, 6}, brief)).x + more <= cells.inner();
+    };
+    const bool below = cells.row > 2 * line + 14 * scale, beside = fit(true, widest + 4 * scale);
+    cells.number = below ? NumberAt::below : beside ? NumberAt::beside : NumberAt::nowhere;
+    cells.widestNumber = widest;
+    cells.brief = !fit(false, cells.number == NumberAt::beside ? widest + 4 * scale : 0.0f);
     for (std::uint32_t n = 2; n <= grid.longest; ++n)
         drawText(ui, {min.x, cells.at({0, n}).y}, ui.palette.inkSoft, fmt::format("{}", n));
-    cells.twoLines = cells.twoLines && cells.row > 2 * line + 12 * scale;
     return cells;
 }
 

@@ -91,11 +91,13 @@ bool hasWords(std::string_view text) {
 
 /// Files whose literals the window shows.
 constexpr const char* kShown[] = {
-    "step_text.cpp",      "run_text.cpp",     "numbers_panel.cpp", "code_panel.cpp",     "lesson_panel.cpp",
-    "controls_panel.cpp", "makers_panel.cpp", "plots.cpp",         "profile_plot.cpp",   "eye_strip.cpp",
-    "canvas_field.cpp",   "canvas_rays.cpp",  "canvas_panel.cpp",  "help_overlay.cpp",   "edit_panel.cpp",
-    "inspector.cpp",      "doable.cpp",       "offer_editing.cpp", "offer_settings.cpp", "palette_panel.cpp",
-    "files_panel.cpp",    "drawn_curve.cpp",  "samples_panel.cpp", "key_help.h"};
+    "step_text.cpp",    "run_text.cpp",       "numbers_panel.cpp",  "code_panel.cpp",
+    "lesson_panel.cpp", "controls_panel.cpp", "makers_panel.cpp",   "plots.cpp",
+    "profile_plot.cpp", "eye_strip.cpp",      "canvas_field.cpp",   "canvas_rays.cpp",
+    "canvas_panel.cpp", "help_overlay.cpp",   "edit_panel.cpp",     "inspector.cpp",
+    "doable.cpp",       "offer_editing.cpp",  "offer_settings.cpp", "palette_panel.cpp",
+    "files_panel.cpp",  "drawn_curve.cpp",    "samples_panel.cpp",  "strategies_panel.cpp",
+    "key_help.h"};
 
 }  // namespace
 

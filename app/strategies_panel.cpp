@@ -94,6 +94,11 @@ std::string tooltipOf(const AppState& state, const StrategyGrid& grid, std::size
                            gray(mean.standardError()), unit, percent(grid.share(place, alone)));
     };
     std::string words = fmt::format("s = {}, t = {}: {}", strategy.s, strategy.t, tr(howOf(strategy)));
+    if (grid.film.aloneMeans.mean[place] == Rgb(0.0)) {
+        words += '\n';
+        words += tr("it has found no light");
+        return words;
+    }
     words += line("weighted", false) + line(kAlone, true);
     const PixelStatistics& pixels = state.strategiesAlone ? grid.film.alone : grid.film.weighted;
     const Statistics here = pixels[place * grid.film.pixels() + pixel];
@@ -243,11 +248,10 @@ Cells layOut(const Ui& ui, const StrategyGrid& grid, ImVec2 min, ImVec2 max) {
 
 std::string titleOf(const Ui& ui, const StrategyGrid* grid, float width) {
     const std::string brief = drawingTitle(ui.state, "strategies");
-    if (!grid) return brief;
-    return firstThatFits({grid->ofEye() ? "k = s + t vertices: s from the light, t from the eye"
-                                        : "k = s + t vertices: s from the light, t from P's wall",
-                          brief},
-                         width, ui.fonts.strong);
+    const char* full = !grid           ? brief.c_str()
+                       : grid->ofEye() ? "k = s + t vertices: s from the light, t from the eye"
+                                       : "k = s + t vertices: s from the light, t from P's wall";
+    return firstThatFits({full, brief, "Strategies"}, width, ui.fonts.strong);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "app/plot_tables.h"
 #include "app/share_text.h"
+#include "app/strategy_work.h"
 #include "rig.h"
 
 using namespace halfdisk;
@@ -158,6 +159,36 @@ TEST_CASE("without an eye it is the light along P's wall, which the light's own 
     rig.apply(SetView{View::strategies, false});
     rig.settle();
     CHECK(rig.session.widgets.find(cell({2, 0})) == nullptr);
+}
+
+TEST_CASE("a batch that is called off adds nothing, and the next one is what it would have been") {
+    const AppState state = caustic(kStep);
+    const LightQuestion asked{.scene = state.scene,
+                              .at = state.at,
+                              .settings = state.settings,
+                              .pictures = state.show & kPictureSet,
+                              .makers = state.makers};
+    std::atomic<bool> cancelled{false}, never{false};
+    StrategyWork work(asked, cancelled), undisturbed(asked, never);
+    for (StrategyWork* each : {&work, &undisturbed}) REQUIRE(each->addBatch());
+    const auto before = work.grid();
+    cancelled = true;
+    CHECK_FALSE(work.addBatch());
+    CHECK(work.grid() == before);
+    cancelled = false;
+    for (StrategyWork* each : {&work, &undisturbed}) REQUIRE(each->addBatch());
+    CHECK(work.grid()->film.weighted.mean == undisturbed.grid()->film.weighted.mean);
+    CHECK(work.grid()->film.whole.passes > before->film.whole.passes);
+    // It ends by itself.
+    int batches = 2;
+    for (; !work.grid()->complete && batches < 100; ++batches) REQUIRE(work.addBatch());
+    CHECK(batches < 40);
+    // The maker's own s and t are not asked; its heuristic is.
+    LightQuestion other = asked;
+    other.makers.first->params = {4, 1, 0, 0, 0};
+    CHECK(work.answers(other));
+    other.makers.first->params[3] = 1;
+    CHECK_FALSE(work.answers(other));
 }
 
 TEST_CASE("its table has a row for each strategy and one for each of its pixels") {

@@ -43,6 +43,9 @@ std::vector<Part> partsOf(const AppState& state) {
         parts.push_back({name, share(answer ? &answer->pictures : nullptr)});
         if (state.makers.second) parts.push_back({name + " B", share(answer ? &answer->against : nullptr)});
     }
+    if (state.shows(View::strategies))
+        parts.push_back({std::string(nameOf(kViews, View::strategies)),
+                         answer && answer->strategies ? shareDone(*answer->strategies) : 0.0});
     return parts;
 }
 

@@ -63,6 +63,7 @@ void showDescribed(AppState& state, SceneDescription scene, const std::filesyste
     state.makers = {};
     state.run = Run::castRay;
     state.scale = FieldScale::light;
+    state.strategiesAlone = false;
     askAnew(state);
     state.playback.stepping = false;
 }
@@ -118,6 +119,7 @@ void enterStep(AppState& state, std::size_t step) {
     state.makers = values.makers;
     state.run = values.run;
     state.scale = values.scale;
+    state.strategiesAlone = false;
     state.sampleRange.reset();
     state.split = 0.5f;
     askAnew(state);
@@ -153,6 +155,7 @@ void showShared(AppState& state, const std::string& text) {
     state.makers = shared.makers;
     state.run = shared.run;
     state.scale = shared.scale;
+    state.strategiesAlone = shared.strategiesAlone;
     askAnew(state);
     state.playback = shared.playback;
     state.fitCamera = true;

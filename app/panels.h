@@ -21,6 +21,8 @@ void inspector(const Ui& ui);
 void makersPanel(const Ui& ui);
 /// Every sample of the run, with what it brings.
 void samplesPanel(const Ui& ui, ImVec2 size);
+/// Every strategy of paths from both ends, side by side.
+void strategiesPanel(const Ui& ui, ImVec2 size);
 void profilePlot(const Ui& ui, ImVec2 size);
 void integrandPlot(const Ui& ui, ImVec2 size);
 void errorPlot(const Ui& ui, ImVec2 size);

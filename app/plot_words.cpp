@@ -188,6 +188,25 @@ std::string fieldWords(const AppState& state) {
     return words.empty() ? std::string(tr("There is no picture yet.")) : words;
 }
 
+std::string strategiesWords(const AppState& state) {
+    const StrategyGrid* grid = state.answer ? state.answer->strategies.get() : nullptr;
+    if (!grid || grid->film.whole.passes == 0) return "There is no picture yet.";
+    std::string words =
+        say("{} rays. Mean of all strategies with their weights: {} \u00b1 {:.1g} {}.",
+            grid->film.whole.counts.rays, shown(grid->film.wholeMean.mean[0]),
+            gray(grid->film.wholeMean[0].standardError()), grid->ofEye() ? "W/(m rad)" : "W/m");
+    for (std::size_t at = 0; at < grid->film.table.size(); ++at) {
+        if (grid->film.aloneMeans.mean[at] == Rgb(0.0)) continue;
+        const Strategy strategy = grid->film.table[at];
+        words += say("\ns = {}, t = {}: {:.3g} % of all light, by itself {:.3g} %.", strategy.s, strategy.t,
+                     100.0 * grid->share(at, false), 100.0 * grid->share(at, true));
+    }
+    if (grid->hasLonger)
+        words += say("\nPaths of more than {} vertices: {:.3g} %.", kGridVertices,
+                     100.0 * grid->share(grid->film.table.longer(), false));
+    return words;
+}
+
 }  // namespace
 
 std::string drawingWords(const AppState& state, std::string_view name) {
@@ -198,6 +217,7 @@ std::string drawingWords(const AppState& state, std::string_view name) {
     if (name == "profile") return profileWords(state);
     if (name == "eye") return eyeStripWords(state);
     if (name == "field") return fieldWords(state);
+    if (name == "strategies") return strategiesWords(state);
     return {};
 }
 
@@ -209,6 +229,7 @@ std::string drawingTitle(const AppState& state, std::string_view name) {
         return say("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
     if (name == "eye") return std::string(tr("What the eye sees"));
     if (name == "field") return std::string(tr("The field of light"));
+    if (name == "strategies") return std::string(tr("All strategies (s, t)"));
     return std::string(tr("The scene"));
 }
 

@@ -228,9 +228,11 @@ void addRun(WordsPage& page, const AppState& state) {
 void addDrawings(WordsPage& page, const AppState& state) {
     page.heading(drawingTitle(state, "canvas"));
     page.paragraph(drawingWords(state, "canvas"));
-    constexpr std::array kNames{std::pair{View::field, "field"},     std::pair{View::eye, "eye"},
-                                std::pair{View::profile, "profile"}, std::pair{View::integrand, "integrand"},
-                                std::pair{View::error, "error"},     std::pair{View::histogram, "histogram"}};
+    constexpr std::array kNames{
+        std::pair{View::field, "field"},          std::pair{View::eye, "eye"},
+        std::pair{View::profile, "profile"},      std::pair{View::integrand, "integrand"},
+        std::pair{View::error, "error"},          std::pair{View::histogram, "histogram"},
+        std::pair{View::strategies, "strategies"}};
     for (const auto& [view, name] : kNames) {
         if (!state.shows(view)) continue;
         page.heading(drawingTitle(state, name));

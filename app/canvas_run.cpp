@@ -117,7 +117,7 @@ void drawNow(const Canvas& canvas, const PathEvent& event) {
 /// Paths that belong to the step: its own, and of two that are joined also the one before.
 bool belongs(const AppState& state, const PathEvent& event, const PathEvent& now) {
     if (event.path == now.path) return true;
-    return state.run == Run::bidirectional && event.path / 2 == now.path / 2;
+    return state.answer->asked.run == Run::bidirectional && event.path / 2 == now.path / 2;
 }
 
 }  // namespace

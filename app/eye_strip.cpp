@@ -56,6 +56,15 @@ void drawStrip(const Ui& ui, const LightPicture& picture, ImVec2 min, ImVec2 max
                             1.0f);
     for (std::size_t i = 0; i < picture.colors.size(); ++i)
         list.screen.AddRectFilled({edge(i), min.y}, {edge(i + 1), max.y}, picture.colors[i]);
+    if (const auto pinned = ui.state.pinnedPixel; pinned && *pinned < picture.colors.size()) {
+        const float left = edge(*pinned) - 2 * ui.scale, right = edge(*pinned + 1) + 2 * ui.scale;
+        const float middle = (left + right) / 2, head = 6 * ui.scale;
+        list.AddRect({left - ui.scale, min.y}, {right + ui.scale, max.y}, ui.palette.panel, 0.0f,
+                     ImDrawFlags_None, 4 * ui.scale);
+        list.AddRect({left, min.y}, {right, max.y}, ui.palette.point, 0.0f, ImDrawFlags_None, 2 * ui.scale);
+        list.AddTriangleFilled({middle - head, min.y - head}, {middle + head, min.y - head},
+                               {middle, min.y + head}, ui.palette.point);
+    }
     if (!ui.state.eyePixel || *ui.state.eyePixel >= picture.colors.size()) return;
     list.AddRect({edge(*ui.state.eyePixel) - 2 * ui.scale, min.y},
                  {edge(*ui.state.eyePixel + 1) + 2 * ui.scale, max.y}, ui.palette.accent, 0.0f,
@@ -63,14 +72,15 @@ void drawStrip(const Ui& ui, const LightPicture& picture, ImVec2 min, ImVec2 max
 }
 
 /// The pixel under the pointer, which tells its value.
-std::optional<std::uint32_t> pointed(const LightPicture* picture, ImVec2 min, ImVec2 max) {
+std::optional<std::uint32_t> pointed(const Ui& ui, const LightPicture* picture, ImVec2 min, ImVec2 max) {
     if (!picture || !ImGui::IsItemHovered()) return std::nullopt;
     const auto count = static_cast<float>(picture->colors.size());
     const float share = (ImGui::GetIO().MousePos.x - min.x) / (max.x - min.x);
     const auto pixel = static_cast<std::uint32_t>(std::clamp(share * count, 0.0f, count - 1.0f));
     const Statistics& value = picture->film.pixels[pixel];
-    tooltip(say("L = {} \u00b1 {:.1g} W/(m rad)\n{} passes", shown(value.mean), gray(value.standardError()),
-                picture->film.passes));
+    tooltip(say("pixel {}: L = {} \u00b1 {:.1g} W/(m rad)\n{} passes\n{}", pixel, shown(value.mean),
+                gray(value.standardError()), picture->film.passes,
+                tr(ui.state.pinnedPixel == pixel ? "click: back to P" : "click: every path of this pixel")));
     return pixel;
 }
 
@@ -81,11 +91,13 @@ float rowHeight(const Ui& ui) {
 std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) {
     const LightPicture* picture = row.picture && !row.picture->colors.empty() ? row.picture : nullptr;
     const ImVec2 origin = ImGui::GetCursorScreenPos(), size{width, rowHeight(ui)};
-    ImGui::InvisibleButton(row.name, size);
+    const bool clicked = ImGui::InvisibleButton(row.name, size);
     mark(ui.widgets, row.name, origin, {origin.x + size.x, origin.y + size.y});
     const ImVec2 min{origin.x, origin.y + ImGui::GetFontSize() + 4 * ui.scale},
         max{origin.x + size.x, origin.y + size.y};
-    const std::optional<std::uint32_t> pixel = pointed(picture, min, max);
+    const std::optional<std::uint32_t> pixel = pointed(ui, picture, min, max);
+    if (clicked && pixel)
+        ui.commands.push_back(PinPixel{pixel == ui.state.pinnedPixel ? std::nullopt : pixel});
 
     const std::string what = drawingTitle(ui.state, "eye");
     const std::string words = row.maker.empty()

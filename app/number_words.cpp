@@ -7,9 +7,13 @@
 namespace halfdisk {
 namespace {
 
+std::string withUnit(const Rgb& value, const char* unit) {
+    if (isGray(value)) return fmt::format("{} {}", shown(value), unit);
+    return fmt::format("{} {} (red, green, blue: {})", shown(gray(value)), unit, shown(value));
+}
+
 std::string irradiance(const Rgb& value) {
-    if (isGray(value)) return fmt::format("{} W/m", shown(value));
-    return fmt::format("{} W/m (red, green, blue: {})", shown(gray(value)), shown(value));
+    return withUnit(value, "W/m");
 }
 
 void addEstimate(std::vector<NumberWords>& numbers, const AppState& state, const LightAnswer& answer) {
@@ -41,18 +45,22 @@ void addDamage(std::vector<NumberWords>& numbers, const LightAnswer& answer) {
 std::vector<NumberWords> pathRunNumbers(const AppState& state, const LightAnswer& answer) {
     const PathRun& run = *answer.pathRun;
     std::vector<NumberWords> numbers;
+    const auto pixel = pixelOf(answer);
+    const std::string name =
+        pixel ? fmt::format("estimate of L, pixel {} of the eye's strip", *pixel) : "estimate of E";
     if (state.shows(View::exact))
-        numbers.push_back({"exact E", answer.exact ? irradiance(*answer.exact) : "not known"});
+        numbers.push_back(
+            {pixel ? "exact E at P" : "exact E", answer.exact ? irradiance(*answer.exact) : "not known"});
     if (!state.shows(View::numbers)) return numbers;
-    if (!run.refusal.empty()) return {{"estimate of E", fmt::format("none: {}", run.refusal)}};
-    std::string value = irradiance(run.estimate);
+    if (!run.refusal.empty()) return {{name, fmt::format("none: {}", run.refusal)}};
+    std::string value = withUnit(run.estimate, unitOf(answer));
     if (run.standardError)
         value +=
             fmt::format(" \u00b1 {:.2g}, one standard error from its own paths", gray(*run.standardError));
     const bool finished = !state.playback.stepping || state.playback.event >= state.eventCount();
     if (!finished)
         value = fmt::format("not finished, at step {} of {}", state.playback.event, state.eventCount());
-    numbers.push_back({"estimate of E", value});
+    numbers.push_back({name, value});
     if (finished) numbers.push_back({"rays cast", fmt::format("{}", run.counts.rays)});
     return numbers;
 }

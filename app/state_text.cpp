@@ -12,6 +12,7 @@
 #include "app/picture_stages.h"
 #include "app/plot_words.h"
 #include "app/run_text.h"
+#include "app/sample_words.h"
 #include "app/scene_words.h"
 #include "app/step_text.h"
 #include "app/tree_json.h"
@@ -142,13 +143,18 @@ std::string kindsOf(const Events& events, const Kinds& table) {
 }
 
 void addPathRun(WordsPage& page, const AppState& state, const PathRun& run) {
-    page.heading(fmt::format("The recorded run of {}", nameOf(kRuns, state.answer->asked.run)));
+    const LightAnswer& answer = *state.answer;
+    const auto pixel = pixelOf(answer);
+    page.heading(fmt::format("The recorded run of {}{}", nameOf(kRuns, answer.asked.run),
+                             pixel ? fmt::format(", for pixel {} of the eye's strip", *pixel) : ""));
     if (!run.refusal.empty()) return page.paragraph(fmt::format("There is none: {}.", run.refusal));
-    page.paragraph(fmt::format("{} steps of {} paths; {} rays. It says E = {} W/m.{}",
-                               run.record.events.size(), run.record.paths, run.counts.rays,
-                               shown(run.estimate),
+    page.paragraph(fmt::format("{} steps of {} paths; {} rays. It says {} = {} {}.{}",
+                               run.record.events.size(), run.record.paths, run.counts.rays, pixel ? "L" : "E",
+                               shown(run.estimate), unitOf(answer),
                                run.record.truncated ? " Later paths were left out of the record." : ""));
     page.fact("steps by kind", kindsOf(run.record.events, kPathEventKinds));
+    if (pixel) page.paragraph(pixelSumWords(answer));
+    if (pixel) page.paragraph(pixelSumMeaning(answer));
     if (!state.playback.stepping) return page.paragraph("The whole run is shown.");
     page.paragraph(fmt::format("Shown up to step {} of {}.",
                                std::min(state.playback.event, state.eventCount()), state.eventCount()));

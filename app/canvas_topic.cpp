@@ -48,8 +48,9 @@ void drawShownPath(const Canvas& canvas, const LightAnswer& answer, std::size_t 
     };
     constexpr std::size_t kMostEvents = 4000;
     const std::uint32_t number = numberOf(events[passed - 1]);
-    for (std::size_t i = passed, seen = 0; i-- > 0 && numberOf(events[i]) == number && seen < kMostEvents;
-         ++seen) {
+    for (std::size_t i = passed, seen = 0; i-- > 0 && seen < kMostEvents; ++seen) {
+        if (numberOf(events[i]) < number) break;
+        if (numberOf(events[i]) != number) continue;
         const PathEvent& event = events[i];
         const bool joins = event.kind == PathEventKind::asked || event.kind == PathEventKind::joined;
         if (event.kind != PathEventKind::fly && !(joins && event.value != Rgb(0.0))) continue;

@@ -133,11 +133,14 @@ std::vector<SampleRow> rowsOf(const PathRun& run, Run whose) {
     for (std::size_t i = 0; i < run.record.events.size(); ++i) {
         const PathEvent& event = run.record.events[i];
         const std::uint32_t number = whose == Run::bidirectional ? event.path / 2 : event.path;
-        if (rows.empty() || rows.back().number != number) {
+        auto known = rows.rbegin();  // a path may go on after those that branched off it
+        while (known != rows.rend() && known->number > number) ++known;
+        if (known == rows.rend() || known->number != number) {
             rows.push_back({i, number, kNoSegment, SampleRow::Kind::path});
+            known = rows.rbegin();
             most = 0.0;
         }
-        SampleRow& row = rows.back();
+        SampleRow& row = *known;
         row.event = i + 1;
         row.adds += event.value / static_cast<double>(run.divisor);
         const std::string found = word.of(event);

@@ -107,6 +107,17 @@ class PathRecorder {
     void lookedUp(Vec2 at, std::uint32_t segment, double radius, std::uint32_t photons, const Rgb& value,
                   SourceLine where = SourceLine::here());
 
+    /// Where a path is, other paths set out that find light for it, which counts for it times `throughput`.
+    void branch(const Rgb& throughput) {
+        branchedAt_ = now_;
+        share_ = throughput;
+    }
+    /// Back to the path that branched.
+    void rejoin() {
+        now_ = branchedAt_;
+        share_ = Rgb(1.0);
+    }
+
     PathRecord take() { return std::move(record_); }
 
  private:
@@ -114,6 +125,8 @@ class PathRecorder {
     void add(PathEvent* event, const Rgb& value);
 
     PathRecord record_;
+    PathEvent branchedAt_;
+    Rgb share_{1.0};
     PathEvent now_;  // what the next event inherits: the path, where it is, what it carries
     Rgb sum_{0.0};
     std::size_t limit_;

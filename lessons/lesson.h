@@ -148,8 +148,8 @@ struct StepValues {
     Makers makers;           ///< of the pictures: eye, field and profile
     Run run = Run::castRay;  ///< the one that is recorded
     FieldScale scale = FieldScale::light;
-    std::uint32_t event = 0;             ///< position in the recorded run, 0 = its start
-    std::optional<std::uint32_t> pixel;  ///< of the eye's strip, whose run is recorded instead of that at P
+    std::uint32_t event = 0;               ///< position in the recorded run, 0 = its start
+    std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, whose run is recorded instead of that at P
     bool operator==(const StepValues&) const = default;
 };
 

@@ -56,6 +56,7 @@ struct AppState {
     FieldScale scale = FieldScale::light;
     std::optional<std::size_t> shownSample;                ///< of the list, under the pointer: its step
     std::optional<std::pair<double, double>> sampleRange;  ///< W/m: the list shows only what adds so much
+    bool largestFirst = false;                             ///< the list, instead of as they came
     ViewSet show;
     Makers makers;  ///< of the pictures
     bool unlockAll = false;

@@ -68,7 +68,8 @@ void drawPassed(const Canvas& canvas, const PathEvent& event, bool current) {
         case PathEventKind::asked:
         case PathEventKind::joined: {
             const ImU32 color = event.visible ? palette.shadowRayClear : palette.shadowRayBlocked;
-            if (event.visible || current)
+            // One that was asked for nothing says nothing.
+            if ((event.visible && event.weight > 0.0) || current)
                 canvas.line(event.from, endOf(canvas, event), withOpacity(color, 0.6f * opacity),
                             0.6f * thickness);
             break;

@@ -158,6 +158,7 @@ void applyUnchecked(AppState& state, const Command& command) {
                 state.run = c.run;
                 askAnew(state);
             },
+            [&](SortSamples c) { state.largestFirst = c.largestFirst; },
             [&](const SetMakers& c) {
                 if (state.makers == c.makers) return;
                 const Run before = state.shownRun();

@@ -44,6 +44,9 @@ struct ShowSample {
 struct FilterSamples {
     std::optional<std::pair<double, double>> range;  ///< W/m, of the contribution; none: all
 };
+struct SortSamples {
+    bool largestFirst;
+};
 struct SetMakers {
     Makers makers;
 };
@@ -188,14 +191,14 @@ struct DismissNotice {};  ///< and no export any more
 
 using AnyCommand =
     std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, CopyState, Reload,
-                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SetMakers, SetSplit,
-                 SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected, SetMaterial,
-                 AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene,
-                 MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, TogglePlay,
-                 SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, PinPixel,
-                 ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage,
-                 ToggleHelp, ShowPalette, SetQuery, SelectEntry, ShowFiles, SetFilePath, SelectFile,
-                 DismissBanner, ExportSeen, DismissNotice>;
+                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SortSamples, SetMakers,
+                 SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected,
+                 SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath,
+                 SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun,
+                 TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong,
+                 PinPixel, ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic,
+                 SetLanguage, ToggleHelp, ShowPalette, SetQuery, SelectEntry, ShowFiles, SetFilePath,
+                 SelectFile, DismissBanner, ExportSeen, DismissNotice>;
 /// Its special members are compiled once, in commands.cpp: instantiated in every panel they were a third of
 /// the build's time.
 struct Command : AnyCommand {

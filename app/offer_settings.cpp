@@ -125,6 +125,9 @@ void offerEstimators(Offer& offer) {
 
 void offerPixels(Offer& offer) {
     const AppState& state = offer.state;
+    offer.addIf(state.shows(View::samples),
+                state.largestFirst ? "List of samples: as they came" : "List of samples: largest first", {},
+                SortSamples{!state.largestFirst});
     if (!canPin(state, 0)) return;
     const auto pinned = state.pinnedPixel;
     const bool hasEscape = !state.editing.on && state.banner.empty() && state.notice.empty() &&

@@ -123,6 +123,7 @@ void enterStep(AppState& state, std::size_t step) {
     state.run = values.run;
     state.scale = values.scale;
     state.sampleRange.reset();
+    state.largestFirst = false;
     pinIfPossible(state, state.sceneOverride.empty() ? values.pixel : std::nullopt);
     state.split = 0.5f;
     askAnew(state);

@@ -53,6 +53,11 @@ Rgb sampleValue(const LightAnswer& answer, const SampleRow& row) {
     return pixelOf(answer) ? row.adds * static_cast<double>(answer.pathRun->divisor) : row.adds;
 }
 
+std::string sampleNumber(const LightAnswer& answer, const SampleRow& row) {
+    const Rgb value = sampleValue(answer, row);
+    return pixelOf(answer) ? shown(gray(value)) : shown(value);
+}
+
 std::string sampleMeaning(const LightAnswer& answer, const SampleRow& row) {
     const std::string value = shown(sampleValue(answer, row));
     if (row.kind == SampleRow::Kind::halfDisk)
@@ -76,20 +81,20 @@ bool isOfRow(const LightAnswer& answer, const SampleRow& row, std::size_t event)
 
 std::string pixelSumWords(const LightAnswer& answer) {
     const PathRun& run = *answer.pathRun;
+    const double L = gray(run.estimate);
     if (!run.refusal.empty()) return say("Pixel {}", *answer.asked.pixel);
-    const double divisor = run.divisor;
     if (run.divisor == 1)
-        return say("Pixel {}: the sum is its L = {} W/(m rad)", *answer.asked.pixel, shown(run.estimate));
+        return say("Pixel {}: the sum is its L = {} W/(m rad)", *answer.asked.pixel, shown(L));
     return say("Pixel {}: {} paths, sum {} / {} = L = {} W/(m rad)", *answer.asked.pixel, run.divisor,
-               shown(divisor * run.estimate), run.divisor, shown(run.estimate));
+               shown(run.divisor * L), run.divisor, shown(L));
 }
 
 std::string shortPixelSumWords(const LightAnswer& answer) {
     const PathRun& run = *answer.pathRun;
+    const double L = gray(run.estimate);
     if (!run.refusal.empty() || run.divisor == 1)
-        return say("Pixel {}: L = {}", *answer.asked.pixel, shown(run.estimate));
-    return say("Pixel {}: {} / {} = {}", *answer.asked.pixel,
-               shown(static_cast<double>(run.divisor) * run.estimate), run.divisor, shown(run.estimate));
+        return say("Pixel {}: L = {}", *answer.asked.pixel, shown(L));
+    return say("Pixel {}: {} / {} = {}", *answer.asked.pixel, shown(run.divisor * L), run.divisor, shown(L));
 }
 
 std::string pixelSumMeaning(const LightAnswer& answer) {
@@ -97,6 +102,7 @@ std::string pixelSumMeaning(const LightAnswer& answer) {
     if (!run.refusal.empty()) return run.refusal;
     std::string words = say("Pixel {} of the eye's strip, counted from 0 at its left, by {}. In W/(m rad).",
                             *answer.asked.pixel, nameOf(kRuns, answer.asked.run));
+    if (!isGray(run.estimate)) words += say(" L in R, G, B: {}.", shown(run.estimate));
     if (run.record.truncated) words += tr(" The list lacks the later paths; the sum does not.");
     const SampleRow* most = brightest(answer);
     if (most && gray(run.estimate) > 0.0)

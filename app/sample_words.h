@@ -10,9 +10,11 @@ namespace halfdisk {
 /// "path 3", "n = 2: -20\u00b0, ceiling".
 std::string sampleName(const LightAnswer& answer, const SampleRow& row);
 
-/// What stands in the list: of a pixel what this path alone says of it, W/(m rad), where the paths' mean is
-/// the pixel's value; else what it adds to the estimate.
+/// Of a pixel what this path alone says of it, W/(m rad), where the paths' mean is the pixel's value; else
+/// what the sample adds to the estimate.
 Rgb sampleValue(const LightAnswer& answer, const SampleRow& row);
+/// As it stands in the list; of a pixel's coloured light the mean of red, green and blue.
+std::string sampleNumber(const LightAnswer& answer, const SampleRow& row);
 
 /// In full, for a reader who wants to know.
 std::string sampleMeaning(const LightAnswer& answer, const SampleRow& row);

@@ -15,7 +15,7 @@
 namespace halfdisk {
 namespace {
 
-/// Those within the range that is asked for.
+/// Those within the range that is asked for, in the order that is asked for.
 std::vector<const SampleRow*> shownRows(const AppState& state) {
     std::vector<const SampleRow*> rows;
     if (!state.answer || !state.answer->rows) return rows;
@@ -27,17 +27,35 @@ std::vector<const SampleRow*> shownRows(const AppState& state) {
                                        value <= range->second);
         if (within) rows.push_back(&row);
     }
+    if (state.largestFirst)
+        std::stable_sort(rows.begin(), rows.end(), [](const SampleRow* a, const SampleRow* b) {
+            return gray(a->adds) > gray(b->adds);
+        });
     return rows;
+}
+
+void order(const Ui& ui) {
+    bool largest = ui.state.largestFirst;
+    sameLineIfFits("Largest first");
+    if (toggle(ui.widgets, "Largest first", largest)) ui.commands.push_back(SortSamples{largest});
+    tooltip("what brings most on top, or all as they came");
+}
+
+/// How wide a button with these words is, and the gap before it.
+float buttonWidth(std::string_view words) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    return textSize(tr(words)).x + 2.0f * style.FramePadding.x + style.ItemSpacing.x;
 }
 
 /// What the pixel's value is made of, and the way back.
 void headOfPixel(const Ui& ui) {
     const LightAnswer& answer = *ui.state.answer;
-    const float room = ImGui::GetContentRegionAvail().x - textSize(tr("Back to P")).x -
-                       2.0f * ImGui::GetStyle().FramePadding.x - ImGui::GetStyle().ItemSpacing.x;
-    const std::string words = firstThatFits({pixelSumWords(answer), shortPixelSumWords(answer)}, room);
-    text(ui.widgets, words);
+    const float all = ImGui::GetContentRegionAvail().x;
+    const float room = all - buttonWidth("Back to P") - buttonWidth("Largest first");
+    const std::string full = pixelSumWords(answer), fewer = shortPixelSumWords(answer);
+    text(ui.widgets, textSize(full).x <= room || textSize(fewer).x > all ? full : fewer);
     tooltip(pixelSumMeaning(answer));
+    order(ui);
     sameLineIfFits("Back to P");
     if (button(ui.widgets, "Back to P")) ui.commands.push_back(PinPixel{});
     tooltip("the samples at P again (Escape)");
@@ -48,8 +66,10 @@ void head(const Ui& ui, std::size_t shownCount) {
     const std::size_t all = state.answer && state.answer->rows ? state.answer->rows->size() : 0;
     ImGui::AlignTextToFramePadding();
     if (state.answer && pixelOf(*state.answer)) return headOfPixel(ui);
-    if (!state.sampleRange) return text(ui.widgets, say("What {} samples bring", all));
-    text(ui.widgets, say("{} of {} samples: those of one bar", shownCount, all));
+    text(ui.widgets, state.sampleRange ? say("{} of {} samples: those of one bar", shownCount, all)
+                                       : say("What {} samples bring", all));
+    order(ui);
+    if (!state.sampleRange) return;
     sameLineIfFits("Show all");
     if (button(ui.widgets, "Show all")) ui.commands.push_back(FilterSamples{});
 }
@@ -58,7 +78,7 @@ void sampleLine(const Ui& ui, const SampleRow& row, double most, float nameWidth
     const LightAnswer& answer = *ui.state.answer;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetFontSize() + 2 * ui.scale;
-    const std::string value = shown(sampleValue(answer, row));
+    const std::string value = sampleNumber(answer, row);
     if (ImGui::InvisibleButton(fmt::format("sample{}", row.event).c_str(), {width, line}))
         ui.commands.push_back(SetEvent{row.event});
     const bool hovered = ImGui::IsItemHovered();

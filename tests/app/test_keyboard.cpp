@@ -224,6 +224,20 @@ void pictures(Rig& rig) {
     }
 }
 
+void pixels(Rig& rig) {
+    rig.apply(OpenScene{courseLessons() / "scenes/mirror_room.toml"});
+    rig.apply(SetView{View::eye, true});
+    rig.driver.pressKey(Key::period);
+    REQUIRE(state(rig).pinnedPixel);
+    const std::uint32_t first = *state(rig).pinnedPixel;
+    rig.driver.pressKey(Key::period);
+    CHECK(state(rig).pinnedPixel == first + 1);
+    rig.driver.pressKey(Key::comma);
+    CHECK(state(rig).pinnedPixel == first);
+    rig.driver.pressKey(Key::escape);
+    CHECK_FALSE(state(rig).pinnedPixel);
+}
+
 void size(Rig& rig) {
     begin(rig, 0);
     rig.driver.pressKey(Key::ctrl, Key::equal);
@@ -370,6 +384,7 @@ const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", 
                                                     {"fit the scene", fit},
                                                     {"grid", grid},
                                                     {"what the eye sees", pictures},
+                                                    {"the eye's strip", pixels},
                                                     {"everything larger", size},
                                                     {"this help", help},
                                                     {"drag P", mouse},

@@ -169,7 +169,11 @@ Command randomEditing(Dice& dice, const AppState& state) {
 
 Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::filesystem::path>& files) {
     const auto walls = static_cast<std::uint32_t>(state.scene->scene.segments.size());
-    switch (dice.below(38)) {
+    switch (dice.below(40)) {
+        case 38:
+            return PinPixel{dice.once(4) ? std::nullopt : std::optional(dice.below(260))};
+        case 39:
+            return SortSamples{dice.once(2)};
         case 20:
         case 21:
         case 22:

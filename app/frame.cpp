@@ -45,7 +45,7 @@ void stage(const Ui& ui) {
     }
     const ImVec2 all = ImGui::GetContentRegionAvail();
     if ((!code && !plot) || (low && !state.canvasHidden)) return scenePanels(ui, all);
-    const float below = std::floor(code ? 0.46f * all.y : std::min(0.4f * all.y, 300 * ui.scale));
+    const float below = std::floor(code || list ? 0.46f * all.y : std::min(0.4f * all.y, 300 * ui.scale));
     const ImVec2 rest{all.x, low ? all.y : below};
     if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     if (code)

@@ -38,6 +38,10 @@ std::string sampleName(const LightAnswer& answer, const SampleRow& row) {
     const std::string wall = row.segment == kNoSegment ? std::string(tr("the sky")) : names[row.segment];
     switch (row.kind) {
         case SampleRow::Kind::path:
+            if (answer.asked.run == Run::photonMap)
+                return answer.pathRun->record.events[row.event - 1].carried == Carried::power
+                           ? say("photon {}", row.number + 1)
+                           : say("look {}", row.number + 1);
             return pathName(answer.asked.run, row.number);
         case SampleRow::Kind::light:
             return row.segment == kNoSegment ? std::string(tr("shadow ray to a light"))
@@ -89,12 +93,15 @@ std::string pixelSumWords(const LightAnswer& answer) {
                shown(run.divisor * L), run.divisor, shown(L));
 }
 
-std::string shortPixelSumWords(const LightAnswer& answer) {
+std::string shortPixelSumWords(const LightAnswer& answer, bool unit) {
     const PathRun& run = *answer.pathRun;
     const double L = gray(run.estimate);
-    if (!run.refusal.empty() || run.divisor == 1)
-        return say("Pixel {}: L = {}", *answer.asked.pixel, shown(L));
-    return say("Pixel {}: {} / {} = {}", *answer.asked.pixel, shown(run.divisor * L), run.divisor, shown(L));
+    std::string words = !run.refusal.empty() ? say("Pixel {}", *answer.asked.pixel)
+                        : run.divisor == 1   ? say("Pixel {}: L = {}", *answer.asked.pixel, shown(L))
+                                             : say("Pixel {}: {} / {} = {}", *answer.asked.pixel,
+                                                   shown(run.divisor * L), run.divisor, shown(L));
+    if (unit && run.refusal.empty()) words += " W/(m rad)";
+    return words;
 }
 
 std::string pixelSumMeaning(const LightAnswer& answer) {

@@ -25,7 +25,7 @@ bool isOfRow(const LightAnswer& answer, const SampleRow& row, std::size_t event)
 // Of a pixel's run:
 /// How the paths' sum makes the pixel's value, and in few words.
 std::string pixelSumWords(const LightAnswer& answer);
-std::string shortPixelSumWords(const LightAnswer& answer);
+std::string shortPixelSumWords(const LightAnswer& answer, bool unit);
 /// Which pixel, by which estimator, and which path brings most.
 std::string pixelSumMeaning(const LightAnswer& answer);
 

@@ -50,10 +50,12 @@ float buttonWidth(std::string_view words) {
 /// What the pixel's value is made of, and the way back.
 void headOfPixel(const Ui& ui) {
     const LightAnswer& answer = *ui.state.answer;
-    const float all = ImGui::GetContentRegionAvail().x;
-    const float room = all - buttonWidth("Back to P") - buttonWidth("Largest first");
-    const std::string full = pixelSumWords(answer), fewer = shortPixelSumWords(answer);
-    text(ui.widgets, textSize(full).x <= room || textSize(fewer).x > all ? full : fewer);
+    const float room =
+        ImGui::GetContentRegionAvail().x - buttonWidth("Back to P") - buttonWidth("Largest first");
+    std::string words = pixelSumWords(answer);
+    for (const bool unit : {true, false})
+        if (textSize(words).x > room) words = shortPixelSumWords(answer, unit);
+    text(ui.widgets, words);
     tooltip(pixelSumMeaning(answer));
     order(ui);
     sameLineIfFits("Back to P");
@@ -100,7 +102,7 @@ void sampleLine(const Ui& ui, const SampleRow& row, double most, float nameWidth
     drawText(ui, {origin.x + 2 * ui.scale, top}, ink, firstThatFits({sampleName(answer, row)}, room));
     const float rest = room - nameWidth;
     if (!row.word.empty() && rest > 0.0f)
-        drawText(ui, {origin.x + nameWidth, top}, dark ? ui.palette.inkSoft : ui.palette.halfDisk,
+        drawText(ui, {origin.x + nameWidth, top}, dark ? ui.palette.inkSoft : ui.palette.exact,
                  firstThatFits({row.word}, rest));
     drawText(ui, {left - 6 * ui.scale, top}, dark ? ui.palette.inkSoft : ui.palette.estimate, value,
              Align::right);

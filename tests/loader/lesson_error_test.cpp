@@ -131,7 +131,7 @@ TEST_CASE("a pixel is one of the strip that a scene's eye sees and the step show
     check(kStep + "[step.set]\npixel = ^3", {"\"pixel\"", "a scene with an [eye]"});
     const auto withEye = [](const std::filesystem::path& file) {
         SceneDescription scene = sceneNamed(file);
-        scene.eye = Eye{{0.0, 1.0}, {1.0, 0.0}, 1.0};
+        scene.eye = EyeDescription{{0.0, 1.0}, {1.0, 0.0}, 60.0};
         return scene;
     };
     const std::string seen = kHead + "[[step]]\ntitle = 'A'\nprose = 'B'\nshow = ['eye']\n[step.set]\n";

@@ -18,7 +18,7 @@ std::string pathName(Run run, std::uint32_t number) {
 
 /// By which way its light came.
 std::string wayWords(const SampleRow& row) {
-    if (row.finds == 0) return std::string(tr("it found no light"));
+    if (row.finds == 0) return std::string(tr("it brought nothing"));
     if (row.finds == 1) return say("its light came by {}", row.word);
     return say("its light came {} times, most by {}", row.finds, row.word);
 }

@@ -113,7 +113,6 @@ TEST_CASE("where castRay is chosen a pixel's run is that of the strip's own esti
     for (const auto& [estimator, run] :
          {std::pair{"light", Run::light}, std::pair{"bidirectional", Run::bidirectional},
           std::pair{"radiosity", Run::path}, std::pair{"cast-ray", Run::path}}) {
-        CAPTURE(estimator);
         apply(state, SetMakers{{makerOf(estimator), std::nullopt}});
         CHECK(state.shownRun() == run);
         CHECK(state.run == Run::castRay);

@@ -25,6 +25,19 @@ struct Playback {
     bool operator==(const Playback&) const = default;
 };
 
+/// Steps a second.
+enum class PlaySpeed : std::uint8_t { slow, calm, usual, brisk, fast, racing };
+
+inline constexpr std::array<Named<PlaySpeed>, 6> kPlaySpeeds{{
+    {PlaySpeed::slow, "1 / s", "one step a second"},
+    {PlaySpeed::calm, "2 / s", "two steps a second"},
+    {PlaySpeed::usual, "4 / s", "four steps a second"},
+    {PlaySpeed::brisk, "15 / s", "fifteen steps a second"},
+    {PlaySpeed::fast, "60 / s", "sixty steps a second"},
+    {PlaySpeed::racing, "500 / s", "five hundred steps a second"},
+}};
+inline constexpr std::array<float, kPlaySpeeds.size()> kStepsPerSecond{1, 2, 4, 15, 60, 500};
+
 /// What the pointer holds on the canvas.
 enum class Grip : std::uint8_t { none, point, canvas, split, edit, band };
 
@@ -51,6 +64,7 @@ struct AppState {
     Settings settings;
     WallPoint at;
     Playback playback;
+    PlaySpeed speed = PlaySpeed::usual;
     Run run = Run::castRay;                    ///< that is stepped through; see shownRun
     std::optional<std::uint32_t> pinnedPixel;  ///< of the eye's strip: the run is about it, not about P
     FieldScale scale = FieldScale::light;

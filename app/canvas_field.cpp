@@ -65,6 +65,12 @@ void drawScale(const Canvas& canvas, ImVec2 min, ImVec2 max) {
                                   plain ? packed(byte, byte, byte) : falseColor((i + 0.5) / kSteps));
     }
     canvas.list.AddRect(min, max, canvas.ui.palette.wallBack);
+    if (canvas.ui.state.scale == FieldScale::light) return;
+    // One for each power of ten.
+    for (int decade = 1; decade < static_cast<int>(kScaleDecades); ++decade) {
+        const float x = std::round(min.x + (max.x - min.x) * static_cast<float>(decade / kScaleDecades));
+        canvas.list.AddLine({x, min.y}, {x, max.y}, canvas.ui.palette.panel, canvas.px(1.5f));
+    }
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 #include <climits>
 #include <optional>
 
+#include "app/choose.h"
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
 #include "app/language.h"
-#include "app/panels.h"
 #include "app/run_text.h"
 
 namespace halfdisk {
@@ -20,21 +20,40 @@ void chooseRun(const Ui& ui) {
     const AppState& state = ui.state;
     const bool free = state.isUnlocked(Control::step);
     if (!free && state.shownRun() == Run::castRay) return;
-    std::array<std::string_view, kRuns.size()> names;
-    int index = 0;
-    for (std::size_t i = 0; i < kRuns.size(); ++i) {
-        names[i] = kRuns[i].name;
-        if (kRuns[i].value == state.shownRun()) index = static_cast<int>(i);
-    }
-    const float width = textSize("bidirectional").x + 2.5f * ImGui::GetFrameHeight();
-    sameLineIfFits("", width);
-    ImGui::PushItemWidth(width);
+    ImGui::PushItemWidth(textSize("bidirectional").x + 1.5f * ImGui::GetFrameHeight());
     ImGui::BeginDisabled(!free);
-    if (combo(ui.widgets, "##run", index, names))
-        ui.commands.push_back(SetRun{kRuns[static_cast<std::size_t>(index)].value});
+    Run run = state.shownRun();
+    if (choose(ui, "##run", kRuns, run)) ui.commands.push_back(SetRun{run});
     ImGui::EndDisabled();
     ImGui::PopItemWidth();
-    tooltip(say("whose run this is: {}", tr(kRuns[static_cast<std::size_t>(index)].meaning)));
+    ImGui::SameLine();
+}
+
+/// How fast it plays.
+void chooseSpeed(const Ui& ui) {
+    const float width = textSize("500 / s").x + 1.3f * ImGui::GetFrameHeight();
+    sameLineIfFits("", width);
+    ImGui::PushItemWidth(width);
+    PlaySpeed speed = ui.state.speed;
+    if (choose(ui, "##speed", kPlaySpeeds, speed)) ui.commands.push_back(SetSpeed{speed});
+    ImGui::PopItemWidth();
+}
+
+/// To any step at once.
+void scrub(const Ui& ui, std::size_t count) {
+    const Playback& playback = ui.state.playback;
+    constexpr std::size_t kMost = 1'000'000'000;
+    const int most = static_cast<int>(std::min(count, kMost));
+    const std::string position =
+        playback.stepping ? fmt::format("%d / {}", count) : std::string(tr("whole run"));
+    int event = playback.stepping ? static_cast<int>(std::min<std::size_t>(playback.event, kMost)) : most;
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
+    ImGui::BeginDisabled(count == 0);
+    if (sliderInt(ui.widgets, "##scrub", event, 0, std::max(most, 1), false, position.c_str()))
+        ui.commands.push_back(SetEvent{static_cast<std::size_t>(std::clamp(event, 0, most))});
+    ImGui::EndDisabled();
+    ImGui::PopItemWidth();
+    tooltip("drag to any step of the run; double click to type its number");
 }
 
 void transport(const Ui& ui) {
@@ -52,15 +71,12 @@ void transport(const Ui& ui) {
     sameLineIfFits("Pause");
     if (button(ui.widgets, playback.playing ? "Pause" : "Play")) ui.commands.push_back(TogglePlay{});
     tooltip("step by step by itself (space)");
+    chooseSpeed(ui);
     sameLineIfFits("End");
     if (button(ui.widgets, "End")) ui.commands.push_back(SetEvent{count});
     tooltip("to the last step (End)");
-    const std::string position =
-        playback.stepping ? fmt::format("{} / {}", std::min(playback.event, count), count) : "whole run";
-    sameLineIfFits(position);
-    ImGui::AlignTextToFramePadding();
-    text(ui.widgets, position);
     chooseRun(ui);
+    scrub(ui, count);
 }
 
 /// Two lines of words and one of numbers; always as high, so that the code below stays where it is.

@@ -202,6 +202,7 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](JumpToLine c) { jumpToLine(state, c.line); },
             [&](const JumpToSource& c) { jumpToSource(state, c); },
             [&](ShowWholeRun) { state.playback = {}; },
+            [&](SetSpeed c) { state.speed = c.speed; },
             [&](TogglePlay) {
                 Playback& playback = state.playback;
                 playback.playing = !playback.playing;

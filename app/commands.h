@@ -119,6 +119,9 @@ struct JumpToLine {
 struct JumpToSource {
     SourceLine from, to;  ///< the same for an estimator's own source: lines from ... to - 1 of one file
 };
+struct SetSpeed {
+    PlaySpeed speed;
+};
 struct ShowWholeRun {};
 struct TogglePlay {};
 struct SetCamera {
@@ -194,7 +197,7 @@ using AnyCommand =
                  SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SortSamples, SetMakers,
                  SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected,
                  SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath,
-                 SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun,
+                 SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, SetSpeed,
                  TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong,
                  PinPixel, ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic,
                  SetLanguage, ToggleHelp, ShowPalette, SetQuery, SelectEntry, ShowFiles, SetFilePath,

@@ -4,29 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/choose.h"
 #include "app/draw_text.h"
-#include "app/panels.h"
 #include "app/share_text.h"
 
 namespace halfdisk {
 namespace {
-
-template <class Enum, std::size_t Count>
-bool choose(const Ui& ui, const char* label, const std::array<Named<Enum>, Count>& table, Enum& value) {
-    std::array<std::string_view, Count> names;
-    int index = 0;
-    std::string_view meaning;
-    for (std::size_t i = 0; i < Count; ++i) {
-        names[i] = table[i].name;
-        if (table[i].value != value) continue;
-        index = static_cast<int>(i);
-        meaning = table[i].meaning;
-    }
-    const bool changed = combo(ui.widgets, label, index, names);
-    tooltip(meaning);
-    if (changed) value = table[static_cast<std::size_t>(index)].value;
-    return changed;
-}
 
 void whileUnlocked(const Ui& ui, Control control, const auto& draw) {
     ImGui::BeginDisabled(!ui.state.isUnlocked(control));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 
@@ -61,6 +62,16 @@ std::vector<ExportFile> exportFiles(const AppState& state, const Seen& seen) {
 
 void writeExport(const fs::path& folder, const std::vector<ExportFile>& files) {
     for (const ExportFile& file : files) writeFileAtomically(folder / file.name, file.bytes);
+    // What an export of another step left here would pass for this one's.
+    std::error_code none;
+    const auto forget = [&](const std::string& name) {
+        const auto isIt = [&](const ExportFile& file) { return file.name == name; };
+        if (std::none_of(files.begin(), files.end(), isIt)) fs::remove(folder / name, none);
+    };
+    for (const PlotTable& plot : kPlotTables) {
+        forget(fmt::format("{}.csv", plot.name));
+        forget(fmt::format("{}.svg", plot.name));
+    }
 }
 
 fs::path newExportFolder(const fs::path& parent, const AppState& state) {

@@ -7,16 +7,18 @@
 
 #include "app/draw_text.h"
 #include "app/language.h"
+#include "app/light_progress.h"
 #include "app/panels.h"
 #include "app/pen.h"
 #include "app/picture_stages.h"
 #include "app/plot_words.h"
 #include "app/shown_pictures.h"
+#include "app/strip_difference.h"
 
 namespace halfdisk {
 namespace {
 
-constexpr float kStripHeight = 36;  // design pixels
+constexpr float kStripHeight = 36, kDifferenceHeight = 14;  // design pixels
 
 /// Why there is no strip yet, or never.
 std::string whyEmpty(const AppState& state, const LightPicture* picture) {
@@ -44,19 +46,36 @@ std::vector<Row> rowsOf(const AppState& state) {
     return rows;
 }
 
-void drawStrip(const Ui& ui, const LightPicture& picture, ImVec2 min, ImVec2 max) {
+/// The exact strip is shown as well, where the scene has one.
+bool hasExactRow(const AppState& state) {
+    return state.shows(View::difference) && state.scene->scene.eye && state.scene->visibility;
+}
+
+float rowHeight(const Ui& ui, bool withDifference) {
+    return ImGui::GetFontSize() + (kStripHeight + 4 + (withDifference ? kDifferenceHeight : 0)) * ui.scale;
+}
+
+/// Where the strip of a row lies: below its words.
+struct Place {
+    ImVec2 min, max;
+};
+
+Place stripPlace(const Ui& ui, ImVec2 origin, float width) {
+    const float top = origin.y + ImGui::GetFontSize() + 4 * ui.scale;
+    return {{origin.x, top}, {origin.x + width, top + kStripHeight * ui.scale}};
+}
+
+void drawColors(const Ui& ui, const std::vector<std::uint32_t>& colors, ImVec2 min, ImVec2 max) {
     const Pen list = penOf(ui);
-    const auto count = static_cast<float>(picture.colors.size());
+    const auto count = static_cast<float>(colors.size());
     const auto edge = [&](std::size_t pixel) {
         return std::round(min.x + (max.x - min.x) * static_cast<float>(pixel) / count);
     };
     // To the sheet as a picture one pixel high.
-    if (list.drawing)
-        list.drawing->cells(min, max, picture.colors, static_cast<std::uint32_t>(picture.colors.size()),
-                            1.0f);
-    for (std::size_t i = 0; i < picture.colors.size(); ++i)
-        list.screen.AddRectFilled({edge(i), min.y}, {edge(i + 1), max.y}, picture.colors[i]);
-    if (const auto pinned = ui.state.pinnedPixel; pinned && *pinned < picture.colors.size()) {
+    if (list.drawing) list.drawing->cells(min, max, colors, static_cast<std::uint32_t>(colors.size()), 1.0f);
+    for (std::size_t i = 0; i < colors.size(); ++i)
+        list.screen.AddRectFilled({edge(i), min.y}, {edge(i + 1), max.y}, colors[i]);
+    if (const auto pinned = ui.state.pinnedPixel; pinned && *pinned < colors.size()) {
         const float left = edge(*pinned) - 2 * ui.scale, right = edge(*pinned + 1) + 2 * ui.scale;
         const float middle = (left + right) / 2, head = 6 * ui.scale;
         list.AddRect({left - ui.scale, min.y}, {right + ui.scale, max.y}, ui.palette.panel, 0.0f,
@@ -65,37 +84,46 @@ void drawStrip(const Ui& ui, const LightPicture& picture, ImVec2 min, ImVec2 max
         list.AddTriangleFilled({middle - head, min.y - head}, {middle + head, min.y - head},
                                {middle, min.y + head}, ui.palette.point);
     }
-    if (!ui.state.eyePixel || *ui.state.eyePixel >= picture.colors.size()) return;
+    if (!ui.state.eyePixel || *ui.state.eyePixel >= colors.size()) return;
     list.AddRect({edge(*ui.state.eyePixel) - 2 * ui.scale, min.y},
                  {edge(*ui.state.eyePixel + 1) + 2 * ui.scale, max.y}, ui.palette.accent, 0.0f,
                  ImDrawFlags_None, 2 * ui.scale);
 }
 
 /// The pixel under the pointer, which tells its value.
-std::optional<std::uint32_t> pointed(const Ui& ui, const LightPicture* picture, ImVec2 min, ImVec2 max) {
+std::optional<std::uint32_t> pointed(const Ui& ui, const LightPicture* picture, std::size_t side,
+                                     Place place) {
     if (!picture || !ImGui::IsItemHovered()) return std::nullopt;
     const auto count = static_cast<float>(picture->colors.size());
-    const float share = (ImGui::GetIO().MousePos.x - min.x) / (max.x - min.x);
+    const float share = (ImGui::GetIO().MousePos.x - place.min.x) / (place.max.x - place.min.x);
     const auto pixel = static_cast<std::uint32_t>(std::clamp(share * count, 0.0f, count - 1.0f));
     const Statistics& value = picture->film.pixels[pixel];
-    tooltip(say("pixel {}: L = {} \u00b1 {:.1g} W/(m rad)\n{} passes\n{}", pixel, shown(value.mean),
-                gray(value.standardError()), picture->film.passes,
-                tr(ui.state.pinnedPixel == pixel ? "click: back to P" : "click: every path of this pixel")));
+    std::string words = say("pixel {}: L = {} \u00b1 {:.1g} W/(m rad)\n{} passes", pixel, shown(value.mean),
+                            gray(value.standardError()), picture->film.passes);
+    const auto& exact = ui.state.answer->exactPictures[side].eye;
+    if (exact && pixel < exact->size()) words += say("\nexactly {} W/(m rad)", shown((*exact)[pixel]));
+    words += fmt::format(
+        "\n{}", tr(ui.state.pinnedPixel == pixel ? "click: back to P" : "click: every path of this pixel"));
+    tooltip(words);
     return pixel;
 }
 
-float rowHeight(const Ui& ui) {
-    return ImGui::GetFontSize() + (kStripHeight + 4) * ui.scale;
+/// With the words on its left and, if there is room, on its right.
+void drawTitle(const Ui& ui, ImVec2 origin, float width, const std::string& left, const std::string& right) {
+    const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, left);
+    if (title.x + textSize(right).x + 12 * ui.scale < width)
+        drawText(ui, {origin.x + width, origin.y}, ui.palette.inkSoft, right, Align::right);
 }
 
-std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) {
+std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, std::size_t side,
+                                     const StripDifferences& exact, float width) {
     const LightPicture* picture = row.picture && !row.picture->colors.empty() ? row.picture : nullptr;
-    const ImVec2 origin = ImGui::GetCursorScreenPos(), size{width, rowHeight(ui)};
+    const bool withDifference = hasExactRow(ui.state);
+    const ImVec2 origin = ImGui::GetCursorScreenPos(), size{width, rowHeight(ui, withDifference)};
     const bool clicked = ImGui::InvisibleButton(row.name, size);
     mark(ui.widgets, row.name, origin, {origin.x + size.x, origin.y + size.y});
-    const ImVec2 min{origin.x, origin.y + ImGui::GetFontSize() + 4 * ui.scale},
-        max{origin.x + size.x, origin.y + size.y};
-    const std::optional<std::uint32_t> pixel = pointed(ui, picture, min, max);
+    const Place place = stripPlace(ui, origin, width);
+    const std::optional<std::uint32_t> pixel = pointed(ui, picture, side, place);
     if (clicked && pixel)
         ui.commands.push_back(PinPixel{pixel == ui.state.pinnedPixel ? std::nullopt : pixel});
 
@@ -105,35 +133,74 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, float width) 
                                   : firstThatFits({fmt::format("{}: {}", tr(what), row.maker), row.maker,
                                                    row.difference.empty() ? row.maker : row.difference},
                                                   width);
-    const ImVec2 title = drawText(ui, origin, ui.palette.inkSoft, words);
+    std::string white;
+    if (picture)
+        white = picture->white > 0.0 ? say("white: \u2265 {} W/(m rad)", shown(picture->white)) : "all black";
+    drawTitle(ui, origin, width, words, white);
     const Pen list = penOf(ui);
     if (picture) {
-        const std::string white =
-            picture->white > 0.0 ? say("white: \u2265 {} W/(m rad)", shown(picture->white)) : "all black";
-        if (title.x + textSize(white).x + 12 * ui.scale < width)
-            drawText(ui, {max.x, origin.y}, ui.palette.inkSoft, white, Align::right);
-        drawStrip(ui, *picture, min, max);
+        drawColors(ui, picture->colors, place.min, place.max);
     } else {
-        list.AddRectFilled(min, max, ui.palette.panel);
-        drawText(ui, {(min.x + max.x) / 2, (min.y + max.y - ImGui::GetFontSize()) / 2}, ui.palette.inkSoft,
-                 whyEmpty(ui.state, row.picture), Align::middle);
+        list.AddRectFilled(place.min, place.max, ui.palette.panel);
+        drawText(ui,
+                 {(place.min.x + place.max.x) / 2, (place.min.y + place.max.y - ImGui::GetFontSize()) / 2},
+                 ui.palette.inkSoft, whyEmpty(ui.state, row.picture), Align::middle);
     }
-    list.AddRect(min, max, ui.palette.wallBack);
+    if (withDifference && picture && !exact.difference[side].empty())
+        drawColors(ui, exact.difference[side], {place.min.x, place.max.y}, {place.max.x, origin.y + size.y});
+    list.AddLine({place.min.x, place.max.y}, place.max, ui.palette.wallBack);
+    list.AddRect(place.min, {place.max.x, origin.y + size.y}, ui.palette.wallBack);
     return pixel;
+}
+
+void drawExactRow(const Ui& ui, const StripDifferences& exact, float width) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos(), size{width, rowHeight(ui, false)};
+    ImGui::InvisibleButton("eye strip exact", size);
+    mark(ui.widgets, "eye strip exact", origin, {origin.x + size.x, origin.y + size.y});
+    tooltip(
+        "Without noise, by quadrature. Below each strip stands how far it is from this one: orange where it "
+        "is "
+        "too bright, blue where it is too dark, paper where it is right.");
+    const Place place = stripPlace(ui, origin, width);
+    const std::string range = exact.exact.empty() ? "" : say("\u00b1 {:g} % of white", 100.0 * exact.share);
+    drawTitle(ui, origin, width,
+              range.empty()
+                  ? std::string(tr("exactly"))
+                  : firstThatFits({say("exactly; differences, orange too bright, blue too dark: {}", range),
+                                   say("exactly; differences {}", range), std::string(tr("exactly"))},
+                                  width),
+              "");
+    const Pen list = penOf(ui);
+    if (exact.exact.empty()) {
+        list.AddRectFilled(place.min, place.max, ui.palette.panel);
+        drawText(ui,
+                 {(place.min.x + place.max.x) / 2, (place.min.y + place.max.y - ImGui::GetFontSize()) / 2},
+                 ui.palette.inkSoft,
+                 lightIsComplete(ui.state) ? "no exact strip of this scene at this depth" : "being computed",
+                 Align::middle);
+    } else {
+        drawColors(ui, exact.exact, place.min, place.max);
+    }
+    list.AddRect(place.min, place.max, ui.palette.wallBack);
 }
 
 }  // namespace
 
 float eyeStripHeight(const Ui& ui) {
     const float gap = ImGui::GetStyle().ItemSpacing.y;
-    return ui.state.makers.second ? 2 * rowHeight(ui) + gap : rowHeight(ui);
+    const bool exact = hasExactRow(ui.state);
+    const float rows = ui.state.makers.second ? 2 * rowHeight(ui, exact) + gap : rowHeight(ui, exact);
+    return exact ? rows + gap + rowHeight(ui, false) : rows;
 }
 
 void eyeStrip(const Ui& ui, float width) {
     std::optional<std::uint32_t> pixel;
     const OnSheet drawing(ui, "eye", {width, eyeStripHeight(ui)});
-    for (const Row& row : rowsOf(ui.state))
-        if (const auto under = drawRow(ui, row, width)) pixel = under;
+    const StripDifferences exact = stripDifferences(ui.state);
+    const std::vector<Row> rows = rowsOf(ui.state);
+    for (std::size_t side = 0; side < rows.size(); ++side)
+        if (const auto under = drawRow(ui, rows[side], side, exact, width)) pixel = under;
+    if (hasExactRow(ui.state)) drawExactRow(ui, exact, width);
     // It lights up on the canvas.
     if (pixel != ui.state.eyePixel) ui.commands.push_back(LookAlong{pixel});
 }

@@ -129,6 +129,15 @@ float paneBar(const Ui& ui, float width, Pane shown, bool stageToo) {
     return height;
 }
 
+/// Of the lesson's column, where it stands beside the stage at all times; else 0.
+float lessonWidth(const Ui& ui) {
+    const float all = ImGui::GetIO().DisplaySize.x, design = all / ui.scale;
+    if (ui.state.rules.withoutLesson || design < kTwoColumns) return 0.0f;
+    const float width = std::floor(330 * ui.scale);
+    const bool narrow = design < kThreeColumns && !ui.state.rules.withoutControls;
+    return narrow ? std::floor(std::min(width, 0.5f * all)) : width;
+}
+
 void columns(const Ui& ui) {
     const float all = ImGui::GetIO().DisplaySize.x, design = all / ui.scale;
     const Pane pane = ui.state.pane;
@@ -157,18 +166,20 @@ void columns(const Ui& ui) {
     column(ui, Pane::controls, all - right, right, 0.0f);
 }
 
-/// Play: four steps a second.
+/// Play.
 void advance(AppState& state) {
     Playback& playback = state.playback;
     if (!playback.playing) return;
-    constexpr float kSecondsPerStep = 0.25f;
-    playback.sinceLast += ImGui::GetIO().DeltaTime;
-    if (playback.sinceLast < kSecondsPerStep) return;
-    playback.sinceLast = 0.0f;
-    if (playback.event < state.eventCount())
-        ++playback.event;
-    else
-        playback.playing = false;
+    const float speed = kStepsPerSecond[static_cast<std::size_t>(state.speed)];
+    constexpr float kLongestFrame = 0.25f;  // s: after a pause of the program it does not jump
+    playback.sinceLast += std::min(ImGui::GetIO().DeltaTime, kLongestFrame);
+    const float steps = std::floor(playback.sinceLast * speed);
+    if (steps < 1.0f) return;
+    playback.sinceLast -= steps / speed;
+    const std::size_t count = state.eventCount();
+    if (playback.event >= count) playback.playing = false;
+    playback.event =
+        std::min(playback.event + static_cast<std::size_t>(steps), std::max(count, playback.event));
 }
 
 /// An answer about another scene has walls that this one lacks.
@@ -191,7 +202,10 @@ void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {
     session.widgets.beginFrame();
     speak(findLanguage(session.languages, state.language));
     const auto latest = session.light.latest();
-    if (latest && latest->asked.scene == state.scene) state.answer = latest;
+    if (latest && latest->asked.scene == state.scene) {
+        if (latest != state.answer && !latest->failure.empty()) state.banner = tr(latest->failure);
+        state.answer = latest;
+    }
     dropForeignAnswer(state);
     advance(state);
 
@@ -206,9 +220,9 @@ void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {
         filesOverlay(ui);
     } else {
         if (!state.banner.empty())
-            bannerBar(ui);
+            bannerBar(ui, lessonWidth(ui));
         else if (state.exportWished || !state.notice.empty())
-            noticeBar(ui);
+            noticeBar(ui, lessonWidth(ui));
         if (state.helpShown) helpOverlay(ui);
         keyboard(ui);
     }

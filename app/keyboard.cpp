@@ -30,6 +30,11 @@ void playbackKeys(const Ui& ui) {
     if (keyPressed(Key::end, false)) ui.commands.push_back(SetEvent{ui.state.eventCount()});
     if (keyPressed(Key::space, false)) ui.commands.push_back(TogglePlay{});
     if (keyPressed(Key::w, false)) ui.commands.push_back(ShowWholeRun{});
+    const auto speed = static_cast<std::size_t>(ui.state.speed);
+    if (keyPressed(Key::period, false) && speed + 1 < kPlaySpeeds.size())
+        ui.commands.push_back(SetSpeed{kPlaySpeeds[speed + 1].value});
+    if (keyPressed(Key::comma, false) && speed > 0)
+        ui.commands.push_back(SetSpeed{kPlaySpeeds[speed - 1].value});
 }
 
 /// The entry after `value` in its table, round the end.

@@ -2,6 +2,7 @@
 // data.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -48,6 +49,16 @@ struct PictureSet {
     }
     const std::shared_ptr<const LightPicture>& of(View view) const {
         return view == View::eye ? eye : view == View::field ? field : profile;
+    }
+};
+
+/// What the same pictures would be without noise, mean of every pixel; null: not wanted, or not known.
+struct ExactPictures {
+    std::shared_ptr<const std::vector<Rgb>> eye, profile;
+
+    std::shared_ptr<const std::vector<Rgb>>& of(View view) { return view == View::eye ? eye : profile; }
+    const std::shared_ptr<const std::vector<Rgb>>& of(View view) const {
+        return view == View::eye ? eye : profile;
     }
 };
 
@@ -116,10 +127,12 @@ struct LightAnswer {
 
     // stage 4: pictures, which do not depend on P (the profile only on its wall)
     PictureSet pictures, against;
+    std::array<ExactPictures, 2> exactPictures;                 ///< of both makers, whose depths may differ
     std::shared_ptr<const std::vector<LightWay>> ways;          ///< of View::paths
     std::vector<std::pair<std::string, std::size_t>> wayWords;  ///< how many have each word, commonest first
     std::optional<std::size_t> throughPupil;  ///< how many of them pass the eye, if there is one
 
+    std::string failure;  ///< not empty: why nothing more will come
     bool complete = false;
 };
 

@@ -23,6 +23,8 @@ struct LightPicture {
         1.0;  ///< what is shown as white, in the unit of the sensor; more is cut off; 0: all is black
     std::optional<double> noise;  ///< see noiseOf
     std::string refusal;          ///< not empty: why there is no picture
+    double seconds = 0.0;         ///< that it took, preparation included
+    double passSeconds = 0.0;     ///< its passes alone
     bool complete = false;
 };
 

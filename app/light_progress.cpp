@@ -34,7 +34,8 @@ std::vector<Part> partsOf(const AppState& state) {
         const std::string name(nameOf(kViews, view));
         const auto share = [&](const PictureSet* pictures) {
             const LightPicture* picture = pictures ? pictures->of(view).get() : nullptr;
-            return picture ? shareDone(*picture) : 0.0;
+            return picture ? shareDone(*picture, state.makers.second ? state.makers.equal : Budget::rays)
+                           : 0.0;
         };
         parts.push_back({name, share(answer ? &answer->pictures : nullptr)});
         if (state.makers.second) parts.push_back({name + " B", share(answer ? &answer->against : nullptr)});

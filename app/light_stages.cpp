@@ -8,7 +8,6 @@ namespace halfdisk {
 namespace {
 
 constexpr double kQuickRays = 1e6;
-constexpr std::size_t kIntegrandPoints = 361;
 constexpr double kSamplesForHistogram = 4096;
 constexpr double kRaysForHistogram = 3e6;
 constexpr double kLeastRuns = 16.0;
@@ -32,28 +31,6 @@ struct ContributionObserver : CancelObserver {
         if (depth == 0) values->push_back(gray(added));
     }
 };
-
-void findExact(LightAnswer& answer, ReferenceCache& references, const std::atomic<bool>& cancelled) {
-    const PreparedScene& scene = sceneOf(answer);
-    if (!scene.visibility) return;
-    const Settings& settings = answer.asked.settings;
-    const unsigned depth = settings.maxDepth;
-    constexpr unsigned kDeepestReference = 8;
-    if (depth > kDeepestReference) return;
-    if (depth > 1 && scene.scene.segments.size() > Reference::kMostWallsDeep) return;
-    if (references.scene != answer.asked.scene || !references.reference || references.depth < depth) {
-        references = {answer.asked.scene, depth, std::make_unique<Reference>(scene.index, depth, &cancelled)};
-        if (!references.reference->ready()) references = {};
-    }
-    if (!references.reference) return;
-    const Reference& reference = *references.reference;
-    answer.exact = reference.irradiance(answer.point, depth);
-    answer.integrand.clear();
-    for (std::size_t i = 0; i < kIntegrandPoints; ++i) {
-        const double theta = kPi * (static_cast<double>(i) + 0.5) / kIntegrandPoints;
-        answer.integrand.push_back({theta, reference.radiance(answer.point, theta, depth)});
-    }
-}
 
 void runMany(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     const Settings& settings = answer.asked.settings;

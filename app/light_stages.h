@@ -5,17 +5,9 @@
 #include <atomic>
 #include <functional>
 
-#include "app/light_answer.h"
+#include "app/exact_stages.h"
 
 namespace halfdisk {
-
-/// The reference of the scene asked about last: kept, since it takes longer than all else and does not depend
-/// on P.
-struct ReferenceCache {
-    std::shared_ptr<const PreparedScene> scene;
-    unsigned depth = 0;
-    std::unique_ptr<Reference> reference;
-};
 
 /// A window casts no more rays than this for one run of N samples; more is refused with the count.
 inline constexpr double kMostRaysPerRun = 2e8;

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/choose.h"
 #include "app/draw_text.h"
+#include "app/exact_stages.h"
 #include "app/language.h"
-#include "app/panels.h"
 #include "app/picture_stages.h"
 #include "lessons/maker_reader.h"
 
@@ -51,8 +52,16 @@ bool editParam(const Ui& ui, const ParamInfo& param, double& value) {
     return changed;
 }
 
-/// `1.2 million rays, noise 3.4 %`.
-void costLine(const Ui& ui, const std::shared_ptr<const LightPicture>& picture) {
+/// `3.4`, `120`.
+std::string percent(double share) {
+    return share < 0.995 ? fmt::format("{:.2g}", 100.0 * share) : fmt::format("{:.0f}", 100.0 * share);
+}
+
+/// `1.2 million rays, noise 3.4 %, error 3.6 %`: what a picture cost, and how good it is.
+void costLine(const Ui& ui, View view, std::size_t side) {
+    if (!ui.state.answer) return;
+    const LightAnswer& answer = *ui.state.answer;
+    const auto& picture = (side == 0 ? answer.pictures : answer.against).of(view);
     if (!picture) return;
     if (!picture->refusal.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.error);
@@ -61,34 +70,51 @@ void costLine(const Ui& ui, const std::shared_ptr<const LightPicture>& picture) 
         return;
     }
     const double rays = static_cast<double>(picture->film.counts.rays);
-    std::string words = say("{:.2g} million rays", rays / 1e6);
-    if (picture->noise) words += say(", noise {:.2g} %", 100.0 * *picture->noise);
+    const bool byTime = answer.asked.makers.second && answer.asked.makers.equal == Budget::time;
+    std::string words = byTime ? say("{:.2g} million rays in {:.2f} s", rays / 1e6, picture->seconds)
+                               : say("{:.2g} million rays", rays / 1e6);
+    if (picture->noise) words += say("\nnoise {} %", percent(*picture->noise));
+    const std::optional<double> error = errorOf(answer, view, side);
+    if (error) words += say(", error {} %", percent(*error));
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
     textWrapped(ui.widgets, words);
     ImGui::PopStyleColor();
-    tooltip(
-        "Noise: the root mean square standard error of the pixels, as a share of their mean. Light that an "
-        "estimator cannot find at all does not show in it.");
+    tooltip(error ? "Noise: the root mean square standard error of the pixels, as a share of their mean. "
+                    "Error: that "
+                    "of their differences from the exact picture. Where it is clearly more than the noise, "
+                    "light is "
+                    "missing or is counted wrongly."
+                  : "Noise: the root mean square standard error of the pixels, as a share of their mean. "
+                    "Light that an "
+                    "estimator cannot find at all does not show in it.");
     if (picture->film.counts.nonFinite == 0) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.error);
     textWrapped(ui.widgets, say("{} values were not finite and left out", picture->film.counts.nonFinite));
     ImGui::PopStyleColor();
 }
 
+/// As wide as leaves room for the label.
+float widthBeside(std::string_view label) {
+    return ImGui::GetContentRegionAvail().x - textSize(label).x - 2 * ImGui::GetStyle().ItemInnerSpacing.x;
+}
+
 /// Of the field's colours.
 void chooseScale(const Ui& ui) {
-    std::array<std::string_view, kFieldScales.size()> names;
-    int index = 0;
-    for (std::size_t i = 0; i < kFieldScales.size(); ++i) {
-        names[i] = kFieldScales[i].name;
-        if (kFieldScales[i].value == ui.state.scale) index = static_cast<int>(i);
-    }
-    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - textSize("estimator").x -
-                         2 * ImGui::GetStyle().ItemInnerSpacing.x);
-    if (combo(ui.widgets, "colours", index, names))
-        ui.commands.push_back(SetFieldScale{kFieldScales[static_cast<std::size_t>(index)].value});
+    FieldScale scale = ui.state.scale;
+    ImGui::PushItemWidth(widthBeside("estimator"));
+    if (choose(ui, "colours", kFieldScales, scale)) ui.commands.push_back(SetFieldScale{scale});
     ImGui::PopItemWidth();
-    tooltip(kFieldScales[static_cast<std::size_t>(index)].meaning);
+}
+
+/// Where the exact picture is known, or could be.
+void differenceSwitch(const Ui& ui) {
+    const AppState& state = ui.state;
+    const bool eye = state.shows(View::eye) && state.scene->scene.eye;
+    if (!state.scene->visibility || !(eye || state.shows(View::profile))) return;
+    bool on = state.shows(View::difference);
+    sameLineIfFits("Difference");
+    if (toggle(ui.widgets, "Difference", on)) ui.commands.push_back(SetView{View::difference, on});
+    tooltip("the exact strip and how far this one is from it; in the plot of the wall, the exact curve");
 }
 
 /// `LD 41 %  LDD 30 %`: by what the paths met.
@@ -150,7 +176,7 @@ void makersPanel(const Ui& ui) {
         for (std::size_t i = 0; i < info.params.size(); ++i)
             changed = editParam(ui, info.params[i], first.params[i]) || changed;
     ImGui::EndDisabled();
-    if (state.answer) costLine(ui, state.answer->pictures.of(*view));
+    costLine(ui, *view, 0);
     if (both) {
         ImGui::BeginDisabled(!state.isUnlocked(Control::estimator));
         if (chooseEstimator(ui, "B", makers.second->estimator)) {
@@ -158,7 +184,9 @@ void makersPanel(const Ui& ui) {
             changed = true;
         }
         ImGui::EndDisabled();
-        if (state.answer) costLine(ui, state.answer->against.of(*view));
+        costLine(ui, *view, 1);
+        if (state.isUnlocked(Control::estimator) && choose(ui, "equal", kBudgets, makers.equal))
+            changed = true;
     }
     ImGui::PopItemWidth();
     if (changed) makers.first = first;
@@ -172,6 +200,7 @@ void makersPanel(const Ui& ui) {
             "A second estimator beside the first: fields left and right, strips below each other, profiles "
             "in one plot");
     }
+    differenceSwitch(ui);
     if (!(makers == state.makers)) ui.commands.push_back(SetMakers{makers});
     if (state.shows(View::field)) chooseScale(ui);
 }

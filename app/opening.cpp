@@ -99,6 +99,7 @@ void askAnew(AppState& state) {
 }
 
 void enterStep(AppState& state, std::size_t step) {
+    state.notice.clear();
     const Step& entered = state.lesson->steps[step];
     if (state.sceneOverride.empty() && !(state.scene->description == state.lesson->scene))
         showScene(state, state.lesson->scene, state.lesson->scenePath);

@@ -3,6 +3,7 @@
 #include "app/picture_stages.h"
 
 #include <algorithm>
+#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -19,13 +20,34 @@ namespace {
 // all, so that two that are compared cost the same. Some are done without rays.
 constexpr std::uint64_t kMostPasses = 16'384, kMostPassesWithoutRays = 512;
 constexpr std::uint64_t kMostRays = 1'200'000;
+// Of each of two pictures that are to take as long.
+constexpr double kMostSeconds = 1.0;
+constexpr std::uint64_t kMostPassesInTime = 1u << 24;
 // Of one batch, so that pictures follow each other fast.
 constexpr double kPathsPerBatch = 16'384.0;
 
+std::uint64_t mostPasses(const Film& film, Budget budget) {
+    if (budget == Budget::time) return kMostPassesInTime;
+    return film.counts.rays > 0 || film.passes == 0 ? kMostPasses : kMostPassesWithoutRays;
+}
+
 /// More at once as there are more: the first picture comes soon, and later ones are not copied for nothing.
-std::uint64_t nextBatch(const Film& film, double pathsPerPass) {
+std::uint64_t nextBatch(const Film& film, double pathsPerPass, Budget budget) {
     const auto least = static_cast<std::uint64_t>(std::max(1.0, kPathsPerBatch / pathsPerPass));
-    return std::min(std::max(least, film.passes / 2), kMostPasses - film.passes);
+    const std::uint64_t most = budget == Budget::time ? kMostPassesInTime : kMostPasses;
+    return std::min(std::max(least, film.passes / 2), most - film.passes);
+}
+
+/// The same, but for so many seconds at most, as far as the passes before can tell.
+std::uint64_t batchWithin(double seconds, const LightPicture& picture, double pathsPerPass) {
+    if (picture.film.passes == 0 || !(picture.passSeconds > 0.0)) return 1;
+    const double fitting = seconds / (picture.passSeconds / static_cast<double>(picture.film.passes));
+    const std::uint64_t usual = nextBatch(picture.film, pathsPerPass, Budget::time);
+    return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(std::clamp(fitting, 1.0, 1e9)), 1, usual);
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// In false colours, one for each place.
@@ -73,6 +95,8 @@ void share(std::shared_ptr<const LightPicture>& a, std::shared_ptr<const LightPi
     }
 }
 
+}  // namespace
+
 std::optional<Sensor> sensorOf(View view, const LightQuestion& asked) {
     const Bounds& bounds = asked.scene->bounds;
     switch (view) {
@@ -85,11 +109,17 @@ std::optional<Sensor> sensorOf(View view, const LightQuestion& asked) {
     }
 }
 
-/// What is asked to make this picture: the first (0) or the second (1) maker.
 std::optional<Maker> makerAsked(const LightQuestion& asked, View view, std::size_t side) {
     if (!asked.pictures.has(view)) return std::nullopt;
     if (side == 1) return asked.makers.second;
     return asked.makers.first ? *asked.makers.first : usualMaker(view);
+}
+
+namespace {
+
+/// One alone spends rays.
+Budget budgetOf(const LightQuestion& asked) {
+    return asked.makers.second ? asked.makers.equal : Budget::rays;
 }
 
 /// `work` as it must be to answer `asked`: made anew unless it does already. None if cancelled on the way.
@@ -100,7 +130,7 @@ void prepare(std::unique_ptr<PictureWork>& work, const LightQuestion& asked, Vie
     const std::optional<Sensor> sensor = sensorOf(view, asked);
     if (!sensor) return;
     try {
-        work = std::make_unique<PictureWork>(asked.scene, *sensor, maker, asked.settings, cancelled);
+        work = std::make_unique<PictureWork>(asked, *sensor, maker, cancelled);
     } catch (const Stopped&) {
     }
 }
@@ -111,23 +141,26 @@ Maker usualMaker(View view) {
     return makerOf(view == View::field ? "light" : "path");
 }
 
-double shareDone(const LightPicture& picture) {
+double shareDone(const LightPicture& picture, Budget budget) {
     if (picture.complete) return 1.0;
     const auto of = [](std::uint64_t done, std::uint64_t all) {
         return static_cast<double>(done) / static_cast<double>(all);
     };
-    const std::uint64_t passes = picture.film.passes, rays = picture.film.counts.rays;
-    return std::min(
-        0.99, std::max(of(rays, kMostRays), of(passes, rays > 0 ? kMostPasses : kMostPassesWithoutRays)));
+    const double byPasses = of(picture.film.passes, mostPasses(picture.film, budget));
+    const double spent =
+        budget == Budget::time ? picture.seconds / kMostSeconds : of(picture.film.counts.rays, kMostRays);
+    return std::min(0.99, std::max(spent, byPasses));
 }
 
-PictureWork::PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sensor, Maker maker,
-                         const Settings& settings, const std::atomic<bool>& cancelled)
-    : scene_(std::move(scene)),
+PictureWork::PictureWork(const LightQuestion& asked, Sensor sensor, Maker maker,
+                         const std::atomic<bool>& cancelled)
+    : scene_(asked.scene),
       sensor_(std::move(sensor)),
       maker_(std::move(maker)),
-      maxDepth_(maker_.depth.value_or(settings.maxDepth)),
-      seed_(settings.seed) {
+      budget_(budgetOf(asked)),
+      maxDepth_(maker_.depth.value_or(asked.settings.maxDepth)),
+      seed_(asked.settings.seed) {
+    const auto start = std::chrono::steady_clock::now();
     const EstimatorInfo& info = *findEstimator(maker_.estimator);
     const Problem problem{.index = scene_->index,
                           .sensor = sensor_,
@@ -143,26 +176,34 @@ PictureWork::PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sens
         picture->refusal = refused.what();
     }
     picture->complete = !estimator_;
+    picture->seconds = secondsSince(start);
     picture_ = std::move(picture);
 }
 
 bool PictureWork::answers(const LightQuestion& question, const Maker& maker) const {
     const auto* profile = std::get_if<Profile>(&sensor_);
-    return maker_ == maker && (!profile || profile->segments.front() == question.at.segment) &&
-           scene_ == question.scene && maxDepth_ == maker.depth.value_or(question.settings.maxDepth) &&
-           seed_ == question.settings.seed;
+    return maker_ == maker && budget_ == budgetOf(question) &&
+           (!profile || profile->segments.front() == question.at.segment) && scene_ == question.scene &&
+           maxDepth_ == maker.depth.value_or(question.settings.maxDepth) && seed_ == question.settings.seed;
 }
 
 bool PictureWork::addBatch() {
     auto next = std::make_shared<LightPicture>(*picture_);
+    const bool byTime = budget_ == Budget::time;
     RenderOptions options;
     options.firstPass = next->film.passes;
-    options.passes = nextBatch(next->film, pixelCount(sensor_) + estimator_->workPerPass());
+    const double pathsPerPass = pixelCount(sensor_) + estimator_->workPerPass();
+    options.passes = byTime ? batchWithin(kMostSeconds - next->seconds, *next, pathsPerPass)
+                            : nextBatch(next->film, pathsPerPass, budget_);
+    const auto start = std::chrono::steady_clock::now();
     const Film batch = render(*estimator_, sensor_, options);
+    const double took = secondsSince(start);
     if (batch.passes < options.passes) return false;
     next->film.merge(batch);
-    const std::uint64_t passes = next->film.passes, rays = next->film.counts.rays;
-    next->complete = rays >= kMostRays || passes >= (rays > 0 ? kMostPasses : kMostPassesWithoutRays);
+    next->seconds += took;
+    next->passSeconds += took;
+    const bool spent = byTime ? next->seconds >= kMostSeconds : next->film.counts.rays >= kMostRays;
+    next->complete = spent || next->film.passes >= mostPasses(next->film, budget_);
     next->noise = noiseOf(*next);
     if (!std::holds_alternative<Profile>(sensor_)) tone(*next, whiteOf(*next));
     picture_ = std::move(next);

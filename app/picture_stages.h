@@ -18,23 +18,28 @@ inline constexpr std::array kPictureViews{View::profile, View::eye, View::field}
 /// What makes this picture if nothing is said.
 Maker usualMaker(View view);
 
+/// What is looked at; nothing if the scene has no eye.
+std::optional<Sensor> sensorOf(View view, const LightQuestion& asked);
+
+/// What is asked to make this picture, the first (0) or the second (1) maker; nothing if it is not wanted.
+std::optional<Maker> makerAsked(const LightQuestion& asked, View view, std::size_t side);
+
 /// How much of a picture's work is done, 0 ... 1.
-double shareDone(const LightPicture& picture);
+double shareDone(const LightPicture& picture, Budget budget);
 
 /// A picture on its way. It is kept while only P (but for the profile's wall) and N change.
 class PictureWork {
  public:
     /// Prepares the estimator; what cannot be done is told by the picture's refusal. `cancelled` outlives it,
     /// and calls off whatever is under way. Throws Stopped if that is set here already.
-    PictureWork(std::shared_ptr<const PreparedScene> scene, Sensor sensor, Maker maker,
-                const Settings& settings, const std::atomic<bool>& cancelled);
+    PictureWork(const LightQuestion& asked, Sensor sensor, Maker maker, const std::atomic<bool>& cancelled);
     PictureWork(const PictureWork&) = delete;  // the estimator refers to the sensor
     PictureWork& operator=(const PictureWork&) = delete;
 
     bool answers(const LightQuestion& question, const Maker& maker) const;
 
     /// Adds the next batch of passes. False, and nothing is added, if cancelled on the way: the same passes
-    /// always give the same bits.
+    /// always give the same bits. How many there will be depends on the machine where time is the budget.
     bool addBatch();
 
     const std::shared_ptr<const LightPicture>& picture() const { return picture_; }
@@ -43,6 +48,7 @@ class PictureWork {
     std::shared_ptr<const PreparedScene> scene_;
     Sensor sensor_;
     Maker maker_;
+    Budget budget_;
     std::uint32_t maxDepth_;
     std::uint64_t seed_;
     std::unique_ptr<Estimator> estimator_;

@@ -14,6 +14,22 @@ namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
+/// What the pixels of the first maker should be; without errors.
+void addExact(CsvText& table, const AppState& state, View view) {
+    if (!state.answer || view == View::field) return;
+    const auto& picture = state.answer->pictures.of(view);
+    const auto& exact = state.answer->exactPictures[0].of(view);
+    if (!picture || !exact) return;
+    const PixelPlaces places(picture->sensor, state.answer->asked.scene->index);
+    const std::size_t coordinates = placeColumns(picture->sensor).size();
+    for (std::uint32_t pixel = 0; pixel < exact->size(); ++pixel) {
+        table.cell(std::string_view("exact"));
+        const std::array<double, 2> place = places.at(pixel);
+        for (std::size_t i = 0; i < coordinates; ++i) table.cell(place[i]);
+        table.cell((*exact)[pixel]).empty(3).endRow();
+    }
+}
+
 void addPixels(CsvText& table, const AppState& state, View view) {
     for (const ShownPicture& shown : shownPictures(state, view)) {
         const Sensor& sensor = shown.picture->sensor;
@@ -33,6 +49,7 @@ void addPixels(CsvText& table, const AppState& state, View view) {
             table.endRow();
         }
     }
+    if (state.shows(View::difference)) addExact(table, state, view);
 }
 
 }  // namespace

@@ -29,6 +29,12 @@ std::vector<Curve> curvesOf(const Ui& ui) {
     return curves;
 }
 
+/// Null unless differences are to be seen.
+const std::vector<Rgb>* exactProfile(const AppState& state) {
+    if (!state.shows(View::difference) || !state.answer) return nullptr;
+    return state.answer->exactPictures[0].profile.get();
+}
+
 std::string whyEmpty(const AppState& state) {
     if (state.answer)
         for (const auto* picture : {&state.answer->pictures.profile, &state.answer->against.profile})
@@ -74,6 +80,15 @@ void drawCurve(const Ui& ui, const Plot& plot, const Curve& curve, double length
     plotLine(ui, plot, steps, curve.color, 2 * scale);
 }
 
+/// Through the middles of the bins.
+void drawExact(const Ui& ui, const Plot& plot, const std::vector<Rgb>& bins, double length, ImU32 color) {
+    const double width = length / static_cast<double>(bins.size());
+    std::vector<ImVec2> line;
+    for (std::size_t i = 0; i < bins.size(); ++i)
+        line.push_back(plot.at(width * (static_cast<double>(i) + 0.5), gray(bins[i])));
+    plotLine(ui, plot, line, color, 4 * ui.scale);
+}
+
 }  // namespace
 
 void profilePlot(const Ui& ui, ImVec2 size) {
@@ -97,9 +112,13 @@ void profilePlot(const Ui& ui, ImVec2 size) {
                  1.5f * ui.scale);
     drawText(ui, {at + 3 * ui.scale, plot.area.max.y - ImGui::GetFontSize() - 2 * ui.scale},
              ui.palette.estimate, "P");
+    const std::vector<Rgb>* exact = exactProfile(state);
+    const ImU32 exactColor = curves.size() > 1 ? ui.palette.ink : ui.palette.exact;
+    if (exact) drawExact(ui, plot, *exact, length, exactColor);
     int row = 0;
     for (auto curve = curves.rbegin(); curve != curves.rend(); ++curve) drawCurve(ui, plot, *curve, length);
     for (const Curve& curve : curves) plotKey(ui, plot, row++, curve.color, curve.title.c_str());
+    if (exact) plotKey(ui, plot, row++, exactColor, "exactly");
     if (!plot.hovered()) return;
     const double place = plot.xAt(ImGui::GetIO().MousePos.x),
                  share = std::clamp(place / length, 0.0, 0.999999);
@@ -109,6 +128,10 @@ void profilePlot(const Ui& ui, ImVec2 size) {
         const Statistics bin = bins[static_cast<std::size_t>(share * static_cast<double>(bins.size()))];
         words +=
             say("\nE = {} \u00b1 {:.1g} W/m  {}", shown(bin.mean), gray(bin.standardError()), curve.title);
+    }
+    if (exact) {
+        words += say("\nexactly {} W/m",
+                     shown((*exact)[static_cast<std::size_t>(share * static_cast<double>(exact->size()))]));
     }
     if (!state.isUnlocked(Control::point)) return tooltip(words);
     words += fmt::format("\n{}", tr("click: P to this place"));

@@ -76,7 +76,8 @@ void readSettings(const Json& json, Settings& settings) {
 AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     AppState state;
     SceneDescription scene;
-    const bool ownScene = json.contains("scene") && json["scene"].is_string();
+    const bool ownScene = json.contains("scene");
+    if (ownScene && !json["scene"].is_string()) failDamaged();
     if (ownScene) scene = parseScene(json["scene"].get<std::string>(), "the shared scene");
     if (json.contains("lesson") && json["lesson"].is_string()) {
         const auto step = static_cast<int>(whole(json, "step", 1, 200));
@@ -94,10 +95,11 @@ AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     if (!json.contains("t") || !json["t"].is_number()) failDamaged();
     state.at.t = json["t"].get<double>();
     if (!(state.at.t >= 0.0 && state.at.t <= 1.0)) failDamaged();
-    state.show.bits = static_cast<std::uint16_t>(whole(json, "show", 0, (1u << kViews.size()) - 1u));
+    state.show.bits = static_cast<std::uint32_t>(whole(json, "show", 0, (1u << kViews.size()) - 1u));
     state.makers = {};
     if (json.contains("first")) state.makers.first = makerOfJson(json["first"]);
     if (json.contains("second")) state.makers.second = makerOfJson(json["second"]);
+    if (json.contains("equal")) state.makers.equal = named(json, "equal", kBudgets);
     if (json.contains("scale")) state.scale = named(json, "scale", kFieldScales);
     if (json.contains("run")) state.run = named(json, "run", kRuns);
     state.pinnedPixel.reset();
@@ -138,6 +140,7 @@ std::string shareText(const AppState& state) {
     json["show"] = state.show.bits;
     if (state.makers.first) json["first"] = jsonOf(*state.makers.first);
     if (state.makers.second) json["second"] = jsonOf(*state.makers.second);
+    if (state.makers.equal != Budget::rays) json["equal"] = std::string(nameOf(kBudgets, state.makers.equal));
     if (state.scale != FieldScale::light) json["scale"] = std::string(nameOf(kFieldScales, state.scale));
     if (state.run != Run::castRay) json["run"] = std::string(nameOf(kRuns, state.run));
     if (state.pinnedPixel) json["pixel"] = *state.pinnedPixel;

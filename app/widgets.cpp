@@ -181,14 +181,14 @@ bool combo(WidgetRegistry& registry, const char* label, int& index, std::span<co
     return changed;
 }
 
-bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int least, int most,
-               bool logarithmic) {
+bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int least, int most, bool logarithmic,
+               const char* format) {
     const float width = ImGui::CalcItemWidth();
     bool changed;
     {
         const CtrlHeld typing(ImGui::GetIO(), ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left));
         changed =
-            ImGui::SliderInt(spoken(label).c_str(), &value, least, most, "%d", sliderFlags(logarithmic));
+            ImGui::SliderInt(spoken(label).c_str(), &value, least, most, format, sliderFlags(logarithmic));
     }
     noteFramed(registry, label, width, WidgetKind::slider);
     return changed;

@@ -88,7 +88,7 @@ bool toggle(WidgetRegistry& registry, const char* label, bool& value, ImVec2 siz
 bool combo(WidgetRegistry& registry, const char* label, int& index, std::span<const std::string_view> names);
 /// Dragged; typed exactly after Ctrl+click or a double click. Stays within [least, most].
 bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int least, int most,
-               bool logarithmic = false);
+               bool logarithmic = false, const char* format = "%d");
 /// One line. True with each change.
 bool inputText(WidgetRegistry& registry, const char* label, std::string& value);
 

@@ -73,6 +73,12 @@ Rgb Reference::irradiance(const ShadedPoint& at, unsigned depth) const {
     return sum;
 }
 
+Rgb Reference::interpolatedIrradiance(const Hit& hit, unsigned depth) const {
+    Rgb sum = directIrradiance(visibility_, shadedPointAt(visibility_.index(), hit));
+    for (unsigned scatterings = 1; scatterings <= depth; ++scatterings) sum += irradianceAt(scatterings, hit);
+    return sum;
+}
+
 Rgb Reference::radiance(const ShadedPoint& at, double theta, unsigned depth) const {
     Rgb L = arrivingRadiance(visibility_, at, theta, depth > 0 ? 1 : 0);
     if (depth < 2) return L;

@@ -29,6 +29,10 @@ class Reference {
     /// E (W/m) of light scattered at most `depth` <= maxDepth times before it arrives.
     Rgb irradiance(const ShadedPoint& at, unsigned depth) const;
 
+    /// E (W/m) on that side of a wall, faster: direct light exactly, the rest interpolated as within
+    /// radiance(). `depth` < maxDepth.
+    Rgb interpolatedIrradiance(const Hit& hit, unsigned depth) const;
+
     /// Radiance (W/(m rad)) that arrives at `at` along theta (rad from the tangent), scattered at most
     /// `depth` times on its way.
     Rgb radiance(const ShadedPoint& at, double theta, unsigned depth) const;

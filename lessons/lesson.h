@@ -36,7 +36,8 @@ enum class View : std::uint8_t {
     field,
     profile,
     paths,
-    samples
+    samples,
+    difference
 };
 
 /// What a step can unlock for the reader's hand.
@@ -53,7 +54,7 @@ enum class Control : std::uint8_t {
     params
 };
 
-inline constexpr std::array<Named<View>, 16> kViews{{
+inline constexpr std::array<Named<View>, 17> kViews{{
     {View::halfdisk, "halfdisk", "the half-disk over P; with rays, also the sample points on its arc"},
     {View::rays, "rays", "the sample rays, coloured by what they bring back"},
     {View::tree, "tree", "the rays of the recursion, fading with depth"},
@@ -70,6 +71,8 @@ inline constexpr std::array<Named<View>, 16> kViews{{
     {View::profile, "profile", "the light that arrives along P's wall"},
     {View::paths, "paths", "ways that light takes from the lamps, wall by wall"},
     {View::samples, "samples", "the list of all samples of the run, with what each brings"},
+    {View::difference, "difference",
+     "how the eye's strip and the light along P's wall differ from the exact ones"},
 }};
 
 inline constexpr std::array<Named<Control>, 10> kControls{{
@@ -108,26 +111,23 @@ inline constexpr std::array<Named<FieldScale>, 3> kFieldScales{{
 
 /// A set of views, bit k = entry k of kViews.
 struct ViewSet {
-    std::uint16_t bits = 0;
+    std::uint32_t bits = 0;
 
     constexpr bool has(View v) const { return (bits >> static_cast<unsigned>(v)) & 1u; }
     constexpr void set(View v, bool on) {
-        const auto bit = static_cast<std::uint16_t>(1u << static_cast<unsigned>(v));
-        bits = static_cast<std::uint16_t>(on ? bits | bit : bits & ~bit);
+        const std::uint32_t bit = 1u << static_cast<unsigned>(v);
+        bits = on ? bits | bit : bits & ~bit;
     }
     constexpr bool operator==(const ViewSet&) const = default;
-    constexpr ViewSet operator-(ViewSet other) const {
-        return {static_cast<std::uint16_t>(bits & ~other.bits)};
-    }
-    constexpr ViewSet operator&(ViewSet other) const {
-        return {static_cast<std::uint16_t>(bits & other.bits)};
-    }
+    constexpr ViewSet operator-(ViewSet other) const { return {bits & ~other.bits}; }
+    constexpr ViewSet operator&(ViewSet other) const { return {bits & other.bits}; }
 };
 
 /// Those that show light elsewhere than at P.
 inline constexpr ViewSet kPictureSet = [] {
     ViewSet set;
-    for (const View view : {View::eye, View::field, View::profile, View::paths}) set.set(view, true);
+    for (const View view : {View::eye, View::field, View::profile, View::paths, View::difference})
+        set.set(view, true);
     return set;
 }();
 

@@ -26,9 +26,19 @@ std::string titleOf(const Maker& maker, const Maker* other);
 /// Only that: `radius 0.05`. Empty if nothing but the estimator differs.
 std::string differenceOf(const Maker& maker, const Maker& other);
 
+/// What two makers that stand beside each other may both spend.
+enum class Budget : std::uint8_t { rays, time };
+
+inline constexpr std::array<Named<Budget>, 2> kBudgets{{
+    {Budget::rays, "rays", "both send out as many rays: the same picture on every machine"},
+    {Budget::time, "time",
+     "both compute as long: the picture depends on the machine, and on what else it does"},
+}};
+
 struct Makers {
     std::optional<Maker> first;   ///< none: what serves each picture best
     std::optional<Maker> second;  ///< beside it, for comparison; none: nothing
+    Budget equal = Budget::rays;  ///< of the two; one alone always has so many rays
     bool operator==(const Makers&) const = default;
 };
 

@@ -74,6 +74,8 @@ void readMakers(TableReader& table, Makers& makers) {
     TableReader other(file, readTable(file, "against", *against), against->where, "\"against\"");
     readMaker(other, makers.second);
     const TomlValue* depth = other.optional(kMaxDepthInfo.name);
+    if (const TomlValue* equal = other.optional("equal"))
+        makers.equal = readNamed(file, "equal", *equal, kBudgets);
     other.finish();
     if (!makers.second) failAt(file, against->where, "\"against\" has no \"estimator\"");
     if (!makers.first)

@@ -43,6 +43,15 @@ void reset(Rig& rig) {
     CHECK(state(rig).settings == state(rig).currentStep()->values.settings);
 }
 
+void speed(Rig& rig) {
+    begin(rig, 2);
+    const PlaySpeed before = state(rig).speed;
+    rig.driver.pressKey(Key::period);
+    CHECK(state(rig).speed > before);
+    rig.driver.pressKey(Key::comma);
+    CHECK(state(rig).speed == before);
+}
+
 void samplerAndEmitters(Rig& rig) {
     begin(rig, 2);
     const Settings before = state(rig).settings;
@@ -368,6 +377,7 @@ const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", 
                                                     {"step forward / back", arrows},
                                                     {"ten steps", tenAtOnce},
                                                     {"play or pause", play},
+                                                    {"play faster", speed},
                                                     {"first / last", ends},
                                                     {"whole run", wholeRun},
                                                     {"double / halve N", samples},

@@ -3,8 +3,10 @@
 
 #include <cmath>
 
+#include "app/exact_stages.h"
 #include "app/goal_check.h"
 #include "app/picture_stages.h"
+#include "app/strip_difference.h"
 #include "rig.h"
 
 using namespace halfdisk;
@@ -147,4 +149,89 @@ TEST_CASE("ways of light are drawn and counted") {
     REQUIRE(rig.state().answer->ways);
     CHECK(rig.state().answer->ways->size() == kWaysFollowed);
     CHECK(showsText(rig, "2000 paths of light followed"));
+}
+
+TEST_CASE(
+    "two at equal rays have as many, two at equal time take as long, and the second kind is told in "
+    "seconds") {
+    Rig rig(kEstimatorStep);
+    rig.driver.click("Controls/Compare");
+    rig.settle();
+    const auto rays = [&](bool second) { return static_cast<double>(profile(rig, second).film.counts.rays); };
+    const auto seconds = [&](bool second) { return profile(rig, second).seconds; };
+    CHECK(rays(false) >= 1.2e6);
+    CHECK(rays(true) >= 1.2e6);
+    CHECK_FALSE(showsText(rig, " s\n"));
+    rig.scrollTo("Controls/equal", "Controls/");
+    rig.driver.click("Controls/equal");
+    rig.driver.frames(2);
+    rig.driver.click("Controls/equal/time");
+    rig.settle();
+    CHECK(rig.state().makers.equal == Budget::time);
+    // A second each, and one pass of the last batch beyond it at most.
+    for (const bool second : {false, true}) {
+        CHECK(seconds(second) >= 1.0);
+        CHECK(profile(rig, second).complete);
+    }
+    CHECK(showsText(rig, " s\n"));
+}
+
+TEST_CASE(
+    "where differences are shown the error stands beside the noise, and both agree for an unbiased one") {
+    Rig rig("controls:1");
+    rig.apply(UnlockAll{true});
+    rig.apply(SetView{View::profile, true});
+    rig.settle();
+    const auto error = [&](std::size_t side) { return errorOf(*rig.state().answer, View::profile, side); };
+    CHECK_FALSE(error(0));
+    CHECK_FALSE(showsText(rig, ", error "));
+    rig.scrollTo("Controls/Difference", "Controls/");
+    rig.driver.click("Controls/Difference");
+    rig.settle();
+    REQUIRE(error(0));
+    CHECK(showsText(rig, ", error "));
+    // The error's square is a sum of 64 squares of what has the noise as its standard deviation.
+    CHECK(*error(0) < 1.6 * *profile(rig).noise + 1e-3);
+    Maker direct = makerOf("path");
+    direct.depth = 0;
+    rig.apply(SetMakers{{makerOf("path"), direct}});
+    rig.settle();
+    // Each is held against the exact picture of its own depth.
+    REQUIRE((error(0) && error(1)));
+    const auto mean = [](const std::vector<Rgb>& pixels) {
+        double sum = 0.0;
+        for (const Rgb& pixel : pixels) sum += gray(pixel);
+        return sum;
+    };
+    const auto& exact = rig.state().answer->exactPictures;
+    if (rig.state().settings.maxDepth > 0) CHECK(mean(*exact[1].profile) < mean(*exact[0].profile));
+    CHECK(*error(1) < 1.6 * profile(rig, true).noise.value_or(0.0) + 1e-3);
+}
+
+TEST_CASE("the eye's strip has its difference from the exact one below it, and a legend") {
+    Rig rig("controls:1");
+    rig.apply(OpenScene{courseLessons() / "scenes/diffuse_room.toml"});
+    rig.apply(SetView{View::eye, true});
+    rig.settle();
+    CHECK(rig.session.widgets.find("Stage/eye strip exact") == nullptr);
+    const float before = rig.driver.get("Stage/eye strip").rect.height();
+    rig.apply(SetView{View::difference, true});
+    rig.settle();
+    CHECK(rig.session.widgets.find("Stage/eye strip exact") != nullptr);
+    CHECK(rig.driver.get("Stage/eye strip").rect.height() > before);
+    const StripDifferences found = stripDifferences(rig.state());
+    const std::size_t pixels = rig.state().answer->pictures.eye->film.pixels.size();
+    CHECK(found.exact.size() == pixels);
+    CHECK(found.difference[0].size() == pixels);
+    CHECK(found.difference[1].empty());
+    CHECK(found.share <= 0.2);
+    CHECK(found.share > 0.0);
+
+    // A scene without an exact answer says so.
+    rig.apply(OpenScene{courseLessons() / "scenes/glass_disk.toml"});
+    rig.apply(SetView{View::eye, true});
+    rig.apply(SetView{View::difference, true});
+    rig.settle();
+    CHECK(rig.session.widgets.find("Stage/eye strip exact") == nullptr);
+    CHECK(stripDifferences(rig.state()).exact.empty());
 }

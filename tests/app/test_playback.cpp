@@ -1,6 +1,8 @@
 // Does the recorded run go forward and back, one event at a time, without changing?
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "app/run_text.h"
 #include "app/step_text.h"
 #include "rig.h"
@@ -200,4 +202,44 @@ TEST_CASE("a click on a line of an estimator's source goes on to the next step t
     CHECK(rig.state().playback.event != first);
     rig.apply(JumpToSource{{where.file, 1}, {where.file, 2}});  // nothing is told there
     CHECK(rig.state().playback.event != first);
+}
+
+TEST_CASE("the slider leads to any step, also typed, and never past the end") {
+    Rig rig(kStepping);
+    const std::size_t count = rig.state().eventCount();
+    const std::string slider = "Stage/scrub";
+    const Rect target = rig.driver.get(slider).target;
+    rig.driver.clickAt(target.left + 0.5f * target.width(), target.centerY());
+    rig.driver.frames(2);
+    CHECK(rig.state().playback.stepping);
+    const double share = static_cast<double>(rig.state().playback.event) / static_cast<double>(count);
+    CHECK(share == doctest::Approx(0.5).epsilon(0.05));
+    rig.driver.dragTo(slider, target.right + 300, target.centerY());
+    CHECK(rig.state().playback.event == count);
+    rig.driver.typeNumber(slider, "7");
+    CHECK(rig.state().playback.event == 7);
+    rig.driver.typeNumber(slider, "999999999");
+    CHECK(rig.state().playback.event == count);
+}
+
+TEST_CASE("Play goes as fast as is chosen, also by keys, and many steps a frame where they are due") {
+    Rig rig(kStepping);
+    for (const Named<PlaySpeed>& speed : kPlaySpeeds) {
+        rig.apply(SetEvent{0});
+        rig.apply(SetSpeed{speed.value});
+        const float perSecond = kStepsPerSecond[static_cast<std::size_t>(speed.value)];
+        rig.apply(TogglePlay{});
+        const std::size_t before = rig.state().playback.event;
+        rig.driver.frames(60);  // one second
+        const std::size_t expected =
+            std::min(before + static_cast<std::size_t>(perSecond), rig.state().eventCount());
+        CHECK(rig.state().playback.event + 1 >= expected);
+        CHECK(rig.state().playback.event <= expected + 1 + static_cast<std::size_t>(perSecond) / 60);
+        if (rig.state().playback.playing) rig.apply(TogglePlay{});
+    }
+    CHECK(rig.state().speed == kPlaySpeeds.back().value);
+    rig.driver.pressKey(Key::period);
+    CHECK(rig.state().speed == kPlaySpeeds.back().value);
+    for (std::size_t i = 0; i < kPlaySpeeds.size(); ++i) rig.driver.pressKey(Key::comma);
+    CHECK(rig.state().speed == kPlaySpeeds.front().value);
 }

@@ -12,14 +12,10 @@ namespace {
 
 constexpr std::string_view kBold = "**";
 
-/// Digits that stand outside {references}.
-bool hasTypedDigit(std::string_view words) {
-    bool inReference = false;
-    for (const char c : words) {
-        if (c == '{' || c == '}') inReference = c == '{';
-        if (!inReference && c >= '0' && c <= '9') return true;
-    }
-    return false;
+/// Digits, and no {reference} beside them.
+bool isTyped(std::string_view words) {
+    return words.find_first_of("0123456789") != std::string_view::npos &&
+           words.find('{') == std::string_view::npos;
 }
 
 /// Adds those of one text; formulas have no bold words.
@@ -33,7 +29,7 @@ void addFrom(std::string_view file, TextPosition where, std::string_view text,
             if (end == std::string_view::npos) break;
             const std::string_view words = paragraph.substr(start, end - start);
             const std::string_view line = paragraph.substr(at);
-            if (hasTypedDigit(words))
+            if (isTyped(words))
                 numbers.push_back(
                     {placeOf(file, where, line.substr(0, line.find('\n'))), std::string(words)});
             at = paragraph.find(kBold, end + kBold.size());

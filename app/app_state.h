@@ -70,7 +70,8 @@ struct AppState {
     std::optional<std::size_t> shownSample;                ///< of the list, under the pointer: its step
     std::optional<std::pair<double, double>> sampleRange;  ///< W/m: the list shows only what adds so much
     ViewSet show;
-    Makers makers;  ///< of the pictures
+    bool strategiesAlone = false;  ///< each strategy (s, t) counts whole; else by its weight
+    Makers makers;                 ///< of the pictures
     bool unlockAll = false;
     ClassRules rules;
 

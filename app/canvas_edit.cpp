@@ -139,7 +139,7 @@ void drawSelected(const Canvas& canvas, Thing thing, float opacity) {
     const ImU32 color = withOpacity(canvas.ui.palette.accent, opacity);
     if (thing.kind == ThingKind::shape) {
         for (const Edge& edge : edgesOf(scene.shapes[thing.index].geometry))
-            canvas.line(edge.a, edge.b, color, canvas.px(10));
+            canvas.line(edge.a, edge.b, color, canvas.px(14));
         return;
     }
     const std::vector<Vec2> handles = handlesOf(scene, thing);
@@ -175,7 +175,7 @@ void drawEditing(const Canvas& canvas) {
     if (!editing.on) return;
     const Selection selected = existing(state.scene->description, editing.selected);
     for (const Thing thing : selected.things)
-        drawSelected(canvas, thing, thing == selected.primary() ? 0.35f : 0.22f);
+        drawSelected(canvas, thing, thing == selected.primary() ? 0.5f : 0.32f);
     if (const auto one = selected.single()) drawHandles(canvas, *one);
     if (state.grip == Grip::band) drawBand(canvas);
 }

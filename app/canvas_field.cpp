@@ -9,6 +9,7 @@
 #include "app/draw_text.h"
 #include "app/false_color.h"
 #include "app/language.h"
+#include "app/message_words.h"
 #include "app/picture_stages.h"
 #include "app/shown_pictures.h"
 #include "app/tone.h"
@@ -44,7 +45,8 @@ std::string rangeStart(const AppState& state, const LightPicture& field) {
 
 std::string rangeEnd(const AppState& state, const LightPicture& field) {
     if (state.scale == FieldScale::noise) return "\u2265 100 %";
-    return field.white > 0.0 ? fmt::format("\u2265 {} W/m", shown(field.white)) : "no light at all";
+    return field.white > 0.0 ? fmt::format("\u2265 {} W/m", shown(field.white))
+                             : std::string(tr("no light at all"));
 }
 
 /// So low that words would lie on each other.
@@ -65,6 +67,12 @@ void drawScale(const Canvas& canvas, ImVec2 min, ImVec2 max) {
                                   plain ? packed(byte, byte, byte) : falseColor((i + 0.5) / kSteps));
     }
     canvas.list.AddRect(min, max, canvas.ui.palette.wallBack);
+    if (canvas.ui.state.scale == FieldScale::light) return;
+    // One for each power of ten.
+    for (int decade = 1; decade < static_cast<int>(kScaleDecades); ++decade) {
+        const float x = std::round(min.x + (max.x - min.x) * static_cast<float>(decade / kScaleDecades));
+        canvas.list.AddLine({x, min.y}, {x, max.y}, canvas.ui.palette.panel, canvas.px(1.5f));
+    }
 }
 
 }  // namespace
@@ -193,10 +201,10 @@ void drawFieldLegend(const Canvas& canvas) {
     };
     if (!picture || picture->colors.empty()) {
         const bool refused = picture && !picture->refusal.empty();
-        const std::string words =
-            firstThatFits({refused ? "no field: " + picture->refusal : "the field is being computed",
-                           refused ? "no field by this estimator" : "computing"},
-                          canvas.rect.width() - canvas.px(24));
+        const std::string words = firstThatFits(
+            {refused ? say("no field: {}", trMessage(picture->refusal)) : "the field is being computed",
+             refused ? "no field by this estimator" : "computing"},
+            canvas.rect.width() - canvas.px(24));
         plate(textSize(words).x);
         drawText(canvas.ui, at, palette.inkSoft, words);
         return;

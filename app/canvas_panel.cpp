@@ -5,6 +5,8 @@
 #include "app/canvas.h"
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
+#include "app/key_help.h"
+#include "app/key_words.h"
 #include "app/panels.h"
 
 namespace halfdisk {
@@ -89,21 +91,22 @@ void cornerButtons(const Canvas& canvas) {
     if (!ui.state.rules.kiosk) {
         bool editing = ui.state.editing.on;
         if (toggle(ui.widgets, "Edit", editing)) ui.commands.push_back(SetEditing{editing});
-        tooltip("change the scene: add, move and delete walls, lights and the eye (X)");
+        tooltip(
+            withKey("change the scene: add, move and delete walls, lights and the eye", keyOf(KeyRow::edit)));
         sameLineIfFits("Fit");
     }
     if (button(ui.widgets, "Fit")) ui.commands.push_back(FitCamera{});
-    tooltip("show the whole scene (F)");
+    tooltip(withKey("show the whole scene", keyOf(KeyRow::fit)));
     sameLineIfFits("Grid");
     bool grid = ui.state.shows(View::grid);
     if (toggle(ui.widgets, "Grid", grid)) ui.commands.push_back(SetView{View::grid, grid});
-    tooltip("a grid behind the scene (G)");
+    tooltip(withKey("a grid behind the scene", keyOf(KeyRow::grid)));
     sameLineIfFits("A-");
     if (button(ui.widgets, "A-")) ui.commands.push_back(SetUiScale{ui.state.uiScale / 1.25f});
-    tooltip("everything smaller (Ctrl -)");
+    tooltip(withKey("everything smaller", keyOf(KeyRow::size, 1)));
     sameLineIfFits("A+");
     if (button(ui.widgets, "A+")) ui.commands.push_back(SetUiScale{ui.state.uiScale * 1.25f});
-    tooltip("everything larger, for the last row (Ctrl +)");
+    tooltip(withKey("everything larger, for the last row", keyOf(KeyRow::size)));
     sameLineIfFits("?");
     if (button(ui.widgets, "?")) ui.commands.push_back(ToggleHelp{});
     tooltip("keys (?)");

@@ -32,7 +32,7 @@ std::string raysWords(const AppState& state) {
         if (event.kind != EventKind::arrival) continue;
         ++rays;
         dark += gray(event.value) == 0.0 ? 1 : 0;
-        ++met[event.missed ? "no wall" : state.scene->scene.segmentNames[event.segment]];
+        ++met[event.missed ? std::string(tr("no wall")) : state.scene->scene.segmentNames[event.segment]];
         if (!brightest || gray(event.value) > gray(brightest->value)) brightest = &event;
     }
     std::string words;
@@ -41,17 +41,17 @@ std::string raysWords(const AppState& state) {
         std::stable_sort(most.begin(), most.end(),
                          [](const auto& a, const auto& b) { return a.second > b.second; });
         constexpr std::size_t kMostWalls = 8;
-        words = say("{} rays leave P; they meet", rays);
+        words = say("Rays from P: {}. They meet", rays);
         for (std::size_t i = 0; i < std::min(most.size(), kMostWalls); ++i)
             words += fmt::format("{} {} ({})", i > 0 ? "," : "", most[i].first, most[i].second);
         if (most.size() > kMostWalls) words += say(" and {} other walls", most.size() - kMostWalls);
-        words += say(". {} of them bring nothing.", dark);
+        words += say(". Of these bring nothing: {}.", dark);
         if (gray(brightest->value) > 0.0)
             words += say(" The brightest brings {} W/(m rad) along the direction {}.",
                          shown(brightest->value), placeWords(brightest->direction));
     }
     if (shadowRays > 0)
-        words += say("{}{} shadow rays go to lights; {} get through.", words.empty() ? "" : "\n", shadowRays,
+        words += say("{}Shadow rays to lights: {}; of these free: {}.", words.empty() ? "" : "\n", shadowRays,
                      clear);
     return words;
 }
@@ -59,15 +59,16 @@ std::string raysWords(const AppState& state) {
 }  // namespace
 
 std::string canvasWords(const AppState& state) {
-    std::string words = "The scene with its walls and lights";
-    if (state.shows(View::halfdisk)) words += ", the half-disk over P";
-    if (state.shows(View::rays)) words += ", the rays of P's samples";
-    if (state.shows(View::tree)) words += ", the rays of the recursion";
-    if (state.shows(View::field)) words += ", the field of light behind it";
-    if (state.shows(View::paths)) words += ", ways that light takes";
-    if (state.shows(View::grid)) words += ", a grid";
+    std::string words(tr("The scene with its walls and lights"));
+    const bool paths = state.answer && state.answer->pathRun;
+    if (state.shows(View::halfdisk)) words += tr(", the half-disk over P");
+    if (state.shows(View::rays)) words += tr(paths ? ", the paths of the run" : ", the rays of P's samples");
+    if (state.shows(View::tree)) words += tr(", the rays of the recursion");
+    if (state.shows(View::field)) words += tr(", the field of light behind it");
+    if (state.shows(View::paths)) words += tr(", ways that light takes");
+    if (state.shows(View::grid)) words += tr(", a grid");
     words += '.';
-    const std::string rays = state.shows(View::rays) ? raysWords(state) : std::string();
+    const std::string rays = state.shows(View::rays) && !paths ? raysWords(state) : std::string();
     if (!rays.empty()) words += '\n';
     words += rays;
     if (state.shows(View::paths) && state.answer && state.answer->ways) {

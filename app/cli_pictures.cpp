@@ -83,12 +83,16 @@ void addExport(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFold
         "  canvas.svg              the canvas\n"
         "  PLOT.svg, PLOT.csv      integrand, error, histogram, profile, eye: those that the step shows\n"
         "  field.csv               the field of light, a row for each cell\n"
-        "  tree.json               the recorded run of castRay: settings, P, calls (a tree), events, rays\n"
+        "  tree.json               the recorded run that is shown: settings, P, events, rays; of castRay "
+        "calls (a tree)\n"
         "  state.txt               all of it in words, for those who cannot see the canvas\n"
         "  state.halfdisk          the state itself: halfdisk --state @state.halfdisk\n"
-        "The same state gives the same bytes.\n\n"
+        "The same state gives the same bytes. Words are in the language of --language; heads of tables, "
+        "keys\n"
+        "and names are English, for other programs.\n\n"
         "Examples:\n"
         "  halfdisk export caustic:4 -o caustic\n"
+        "  halfdisk export caustic:4 -o kaustik --language de\n"
         "  halfdisk export --scene room.toml -o room --size 1920x1080 --scale 2\n"
         "  halfdisk export --state - -o seen < state.halfdisk");
     command->callback([&chosen, texts, &lessonsFolder] {

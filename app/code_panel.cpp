@@ -10,6 +10,7 @@
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
 #include "app/language.h"
+#include "app/message_words.h"
 #include "app/run_text.h"
 
 namespace halfdisk {
@@ -44,7 +45,8 @@ void scrub(const Ui& ui, std::size_t count) {
     const Playback& playback = ui.state.playback;
     constexpr std::size_t kMost = 1'000'000'000;
     const int most = static_cast<int>(std::min(count, kMost));
-    const std::string position = playback.stepping ? fmt::format("%d / {}", count) : std::string(tr("whole run"));
+    const std::string position =
+        playback.stepping ? fmt::format("%d / {}", count) : std::string(tr("whole run"));
     int event = playback.stepping ? static_cast<int>(std::min<std::size_t>(playback.event, kMost)) : most;
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
     ImGui::BeginDisabled(count == 0);
@@ -89,7 +91,7 @@ void stepWords(const Ui& ui) {
     const bool refused = state.answer && state.answer->pathRun && !state.answer->pathRun->refusal.empty();
     if (refused) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.error);
-        textWrapped(ui.widgets, state.answer->pathRun->refusal);
+        textWrapped(ui.widgets, trMessage(state.answer->pathRun->refusal));
         ImGui::PopStyleColor();
     } else if (words.where.empty()) {
         textWrapped(ui.widgets, "Press Step to walk through this run.");

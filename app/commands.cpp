@@ -150,6 +150,7 @@ void applyUnchecked(AppState& state, const Command& command) {
                 state.makers = c.makers;
                 ++state.questionId;  // the run and its playback stay
             },
+            [&](WeighStrategies c) { state.strategiesAlone = c.alone; },
             [&](SetSplit c) { state.split = std::clamp(c.split, 0.0f, 1.0f); },
             [&](SetEditing c) { setEditing(state, c.on); },
             [&](SetTool c) { state.editing.tool = c.tool; },

@@ -47,6 +47,9 @@ struct FilterSamples {
 struct SetMakers {
     Makers makers;
 };
+struct WeighStrategies {
+    bool alone;  ///< each counts whole
+};
 struct SetSplit {
     float split;
 };
@@ -188,10 +191,10 @@ struct DismissNotice {};  ///< and no export any more
 
 using AnyCommand =
     std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, CopyState, Reload,
-                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SetMakers, SetSplit,
-                 SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected, SetMaterial,
-                 AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath, SaveScene,
-                 MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, SetSpeed,
+                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SetMakers, WeighStrategies,
+                 SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected,
+                 SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath,
+                 SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, SetSpeed,
                  TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong,
                  ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage,
                  ToggleHelp, ShowPalette, SetQuery, SelectEntry, ShowFiles, SetFilePath, SelectFile,

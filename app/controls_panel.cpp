@@ -83,6 +83,11 @@ void pictureSwitches(const Ui& ui) {
     sameLineIfFits("Paths", width);
     choice("Paths", View::paths,
            "ways that light takes: orange straight from a light, blue once a wall has scattered it");
+    if (!ui.state.shows(View::strategies) && !ui.state.unlockAll &&
+        !(step && step->show.has(View::strategies)))
+        return;
+    choice("Strategies", View::strategies,
+           "every strategy (s, t) of paths from both ends, with its share of the light");
 }
 
 }  // namespace

@@ -6,6 +6,9 @@
 #include "app/draw_text.h"
 #include "app/edit_commands.h"
 #include "app/imgui_compat.h"
+#include "app/key_help.h"
+#include "app/key_words.h"
+#include "app/message_words.h"
 #include "app/panels.h"
 
 namespace halfdisk {
@@ -27,15 +30,17 @@ void tools(const Ui& ui) {
 void historyButtons(const Ui& ui) {
     const History& history = ui.state.editing.history;
     const float width = partOfRow(3);
-    const auto choice = [&](const char* label, bool there, const Command& command, const char* meaning) {
+    const auto choice = [&](const char* label, bool there, const Command& command,
+                            const std::string& meaning) {
         ImGui::BeginDisabled(!there);
         if (button(ui.widgets, label, {width, 0})) ui.commands.push_back(command);
         tooltip(meaning);
         ImGui::EndDisabled();
     };
-    choice("Undo", !history.past.empty(), Undo{}, "take the last change back (Ctrl Z)");
+    choice("Undo", !history.past.empty(), Undo{},
+           withKey("take the last change back", keyOf(KeyRow::history)));
     sameLineIfFits("Redo", width);
-    choice("Redo", !history.future.empty(), Redo{}, "and make it again (Ctrl Y)");
+    choice("Redo", !history.future.empty(), Redo{}, withKey("and make it again", keyOf(KeyRow::history, 1)));
     sameLineIfFits("Snap", width);
     bool snap = ui.state.editing.snap;
     if (toggle(ui.widgets, "Snap", snap, {width, 0})) ui.commands.push_back(SetSnap{snap});
@@ -52,13 +57,13 @@ void saving(const Ui& ui) {
     const float half = partOfRow(2);
     if (button(ui.widgets, isEdited(ui.state) ? "Save*" : "Save", {half, 0}))
         ui.commands.push_back(SaveScene{editing.path});
-    tooltip("write the scene file (Ctrl S)");
+    tooltip(withKey("write the scene file", keyOf(KeyRow::files)));
     sameLineIfFits("Open ...", half);
     if (button(ui.widgets, "Open ...", {half, 0})) ui.commands.push_back(ShowFiles{true});
-    tooltip("a lesson or a scene; the last files come first (Ctrl O)");
+    tooltip(withKey("a lesson or a scene; the last files come first", keyOf(KeyRow::files, 1)));
     if (button(ui.widgets, "Done", {partOfRow(1), 0})) ui.commands.push_back(SetEditing{false});
     tooltip("back to the lesson, in the changed scene; Reset brings the lesson's own back");
-    if (!editing.message.empty()) textWrapped(ui.widgets, editing.message);
+    if (!editing.message.empty()) textWrapped(ui.widgets, trMessage(editing.message));
 }
 
 }  // namespace

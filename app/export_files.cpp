@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <system_error>
 
 #include "app/language.h"
 #include "app/light_progress.h"
+#include "app/message_words.h"
 #include "app/plot_tables.h"
 #include "app/plot_words.h"
 #include "app/share_text.h"
@@ -61,6 +63,16 @@ std::vector<ExportFile> exportFiles(const AppState& state, const Seen& seen) {
 
 void writeExport(const fs::path& folder, const std::vector<ExportFile>& files) {
     for (const ExportFile& file : files) writeFileAtomically(folder / file.name, file.bytes);
+    // What an export of another step left here would pass for this one's.
+    std::error_code none;
+    const auto forget = [&](const std::string& name) {
+        const auto isIt = [&](const ExportFile& file) { return file.name == name; };
+        if (std::none_of(files.begin(), files.end(), isIt)) fs::remove(folder / name, none);
+    };
+    for (const PlotTable& plot : kPlotTables) {
+        forget(fmt::format("{}.csv", plot.name));
+        forget(fmt::format("{}.svg", plot.name));
+    }
 }
 
 fs::path newExportFolder(const fs::path& parent, const AppState& state) {
@@ -93,7 +105,7 @@ void exportIfReady(Session& session, const FrameMaker& maker, const fs::path& pa
         state.exportWished = false;
         std::error_code none;
         if (!folder.empty()) fs::remove_all(folder, none);  // it was made just now
-        state.banner = say("Nothing is exported: {}", error.what());
+        state.banner = say("Nothing is exported: {}", trMessage(error.what()));
     }
 }
 

@@ -1,7 +1,7 @@
 // Which files hold what is seen, and how do they get into a folder?
 //
 //   screen.png                the whole screen
-//   canvas.svg, PLOT.svg      integrand, error, histogram, profile, eye: those that are shown
+//   canvas.svg, PLOT.svg      integrand, error, histogram, profile, eye, strategies: those that are shown
 //   PLOT.csv, field.csv       their numbers
 //   tree.json                 the recorded run: see tree_json.h
 //   state.txt                 all of it in words

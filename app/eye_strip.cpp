@@ -8,6 +8,7 @@
 #include "app/draw_text.h"
 #include "app/language.h"
 #include "app/light_progress.h"
+#include "app/message_words.h"
 #include "app/panels.h"
 #include "app/pen.h"
 #include "app/picture_stages.h"
@@ -23,7 +24,7 @@ constexpr float kStripHeight = 36, kDifferenceHeight = 14;  // design pixels
 /// Why there is no strip yet, or never.
 std::string whyEmpty(const AppState& state, const LightPicture* picture) {
     if (!state.scene->scene.eye) return "this scene has no eye";
-    return picture && !picture->refusal.empty() ? picture->refusal : "being computed";
+    return picture && !picture->refusal.empty() ? trMessage(picture->refusal) : "being computed";
 }
 
 struct Row {

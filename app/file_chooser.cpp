@@ -36,7 +36,7 @@ std::vector<FileChoice> listFolder(const fs::path& folder) {
     for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end && looked < kMostLooked;
          entry.increment(failed), ++looked) {
         const std::string name = entry->path().filename().string();
-        if (name.empty() || name.front() == '.' || choices.size() >= kMostListed) continue;
+        if (name.empty() || name.front() == '.' || choices.size() >= kMostFilesListed) continue;
         std::error_code none;
         const bool isFolder = entry->is_directory(none);
         if (!isFolder && entry->path().extension() != ".toml") continue;

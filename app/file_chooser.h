@@ -29,7 +29,7 @@ struct FileChooser {
 };
 
 /// Most entries of a folder that are listed.
-inline constexpr std::size_t kMostListed = 2000;
+inline constexpr std::size_t kMostFilesListed = 2000;
 /// Files that are remembered.
 inline constexpr std::size_t kMostRecent = 10;
 

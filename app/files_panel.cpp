@@ -1,6 +1,7 @@
 // Which lesson or scene shall be opened? A path, and the list of what is in its folder; the last files first.
 #include "app/draw_text.h"
 #include "app/edit_commands.h"
+#include "app/message_words.h"
 #include "app/overlay.h"
 #include "app/panels.h"
 
@@ -40,11 +41,11 @@ void filesOverlay(const Ui& ui) {
     const FileChooser& files = ui.state.files;
     const std::vector<FileChoice> choices = choicesOf(files);
     const bool failed = !ui.state.banner.empty();
+    const std::string banner = trMessage(ui.state.banner);
     const ListOverlay overlay = beginListOverlay(
-        ui,
-        {"Files", "a lesson or a scene: a file that ends with .toml", files.path, files.selected,
-         choices.size(),
-         failed ? std::string_view(ui.state.banner) : "Enter: open   Tab: take the name   Escape: close"});
+        ui, {"Files", "a lesson or a scene: a file that ends with .toml", files.path, files.selected,
+             choices.size(),
+             failed ? std::string_view(banner) : "Enter: open   Tab: take the name   Escape: close"});
     if (overlay.typed) ui.commands.push_back(SetFilePath{*overlay.typed});
     if (failed && (overlay.typed || overlay.closed)) ui.commands.push_back(DismissBanner{});
     if (overlay.selected != files.selected) ui.commands.push_back(SelectFile{overlay.selected});

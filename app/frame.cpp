@@ -35,8 +35,9 @@ void scenePanels(const Ui& ui, ImVec2 size) {
 void stage(const Ui& ui) {
     const AppState& state = ui.state;
     const bool code = state.shows(View::code), profile = state.shows(View::profile);
+    const bool grid = state.shows(View::strategies) && !code;
     const bool list = state.shows(View::samples) && !code;
-    const bool plot = profile || list || state.shows(View::integrand);
+    const bool plot = grid || profile || list || state.shows(View::integrand);
     const bool low = ImGui::GetContentRegionAvail().y < kLowStage * ui.scale;
     if (low && (code || plot)) {
         bool hidden = state.canvasHidden;
@@ -45,11 +46,15 @@ void stage(const Ui& ui) {
     }
     const ImVec2 all = ImGui::GetContentRegionAvail();
     if ((!code && !plot) || (low && !state.canvasHidden)) return scenePanels(ui, all);
-    const float below = std::floor(code ? 0.46f * all.y : std::min(0.4f * all.y, 300 * ui.scale));
+    const float below = std::floor(grid   ? 0.5f * all.y
+                                   : code ? 0.46f * all.y
+                                          : std::min(0.4f * all.y, 300 * ui.scale));
     const ImVec2 rest{all.x, low ? all.y : below};
     if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     if (code)
         codePanel(ui, rest);
+    else if (grid)
+        strategiesPanel(ui, rest);
     else if (list)
         samplesPanel(ui, rest);
     else if (profile)
@@ -72,10 +77,11 @@ void controls(const Ui& ui) {
     }
     std::vector<void (*)(const Ui&, ImVec2)> plots;
     const bool code = state.shows(View::code), profile = state.shows(View::profile);
-    const bool list = state.shows(View::samples);
-    if (code && list) plots.push_back(samplesPanel);
-    if ((code || list) && profile) plots.push_back(profilePlot);
-    if ((code || profile || list) && state.shows(View::integrand)) plots.push_back(integrandPlot);
+    const bool grid = state.shows(View::strategies), list = state.shows(View::samples);
+    if (code && grid) plots.push_back(strategiesPanel);
+    if ((code || grid) && list) plots.push_back(samplesPanel);
+    if ((code || grid || list) && profile) plots.push_back(profilePlot);
+    if ((code || grid || profile || list) && state.shows(View::integrand)) plots.push_back(integrandPlot);
     if (state.shows(View::error)) plots.push_back(errorPlot);
     if (state.shows(View::histogram)) plots.push_back(histogramPlot);
     if (plots.empty()) return;
@@ -84,7 +90,10 @@ void controls(const Ui& ui) {
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float count = static_cast<float>(plots.size());
     const float height = std::clamp((left.y - spacing * (count - 1)) / count, 170 * ui.scale, 260 * ui.scale);
-    for (const auto plot : plots) plot(ui, {left.x, std::floor(height)});
+    // Five rows with words in each.
+    const float rows = 360 * ui.scale;
+    for (const auto plot : plots)
+        plot(ui, {left.x, std::floor(plot == strategiesPanel ? std::max(height, rows) : height)});
 }
 
 void column(const Ui& ui, Pane pane, float x, float width, float top) {
@@ -127,6 +136,15 @@ float paneBar(const Ui& ui, float width, Pane shown, bool stageToo) {
     choice("Controls", Pane::controls);
     ImGui::End();
     return height;
+}
+
+/// Of the lesson's column, where it stands beside the stage at all times; else 0.
+float lessonWidth(const Ui& ui) {
+    const float all = ImGui::GetIO().DisplaySize.x, design = all / ui.scale;
+    if (ui.state.rules.withoutLesson || design < kTwoColumns) return 0.0f;
+    const float width = std::floor(330 * ui.scale);
+    const bool narrow = design < kThreeColumns && !ui.state.rules.withoutControls;
+    return narrow ? std::floor(std::min(width, 0.5f * all)) : width;
 }
 
 void columns(const Ui& ui) {
@@ -193,7 +211,10 @@ void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {
     session.widgets.beginFrame();
     speak(findLanguage(session.languages, state.language));
     const auto latest = session.light.latest();
-    if (latest && latest->asked.scene == state.scene) state.answer = latest;
+    if (latest && latest->asked.scene == state.scene) {
+        if (latest != state.answer && !latest->failure.empty()) state.banner = tr(latest->failure);
+        state.answer = latest;
+    }
     dropForeignAnswer(state);
     advance(state);
 
@@ -208,9 +229,9 @@ void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {
         filesOverlay(ui);
     } else {
         if (!state.banner.empty())
-            bannerBar(ui);
+            bannerBar(ui, lessonWidth(ui));
         else if (state.exportWished || !state.notice.empty())
-            noticeBar(ui);
+            noticeBar(ui, lessonWidth(ui));
         if (state.helpShown) helpOverlay(ui);
         keyboard(ui);
     }

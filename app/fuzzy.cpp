@@ -8,7 +8,8 @@
 namespace halfdisk {
 namespace {
 
-constexpr int kLetter = 1, kRun = 10, kWordStart = 8, kTextStart = 4, kInOrder = 10, kNone = -1'000'000'000;
+constexpr int kLetter = 1, kRun = 10, kWordStart = 8, kTextStart = 4, kInOrder = 10, kWholeWord = 12,
+              kNone = -1'000'000'000;
 
 struct Letter {
     char32_t folded;
@@ -111,6 +112,18 @@ int scoreOfWord(const std::u32string& word, const std::vector<Letter>& text,
     return *most;
 }
 
+/// Whether it stands in the text as a word by itself.
+bool isWholeWord(const std::u32string& word, const std::vector<Letter>& text) {
+    const auto same = [](const Letter& letter, char32_t c) { return letter.folded == c; };
+    auto at = text.begin();
+    while ((at = std::search(at, text.end(), word.begin(), word.end(), same)) != text.end()) {
+        const auto end = at + static_cast<std::ptrdiff_t>(word.size());
+        if (at->startsWord && (end == text.end() || isGap(end->folded))) return true;
+        ++at;
+    }
+    return false;
+}
+
 std::optional<int> match(const FuzzyQuery& query, std::string_view text, std::vector<std::size_t>* places) {
     const std::vector<Letter> letters = lettersOf(text, kMostFuzzyLetters);
     if (query.letters > letters.size()) return std::nullopt;
@@ -118,7 +131,7 @@ std::optional<int> match(const FuzzyQuery& query, std::string_view text, std::ve
     for (const std::u32string& word : query.words) {
         const int one = scoreOfWord(word, letters, places);
         if (one == kNone) return std::nullopt;
-        score += one;
+        score += one + (isWholeWord(word, letters) ? kWholeWord : 0);
     }
     if (query.words.size() > 1 && isInOrder(query, letters)) score += kInOrder;
     return score;

@@ -6,8 +6,10 @@
 #include "app/draw_text.h"
 #include "app/imgui_compat.h"
 #include "app/key_help.h"
+#include "app/key_words.h"
 #include "app/language.h"
 #include "app/light_progress.h"
+#include "app/message_words.h"
 #include "app/panels.h"
 
 namespace halfdisk {
@@ -16,7 +18,8 @@ namespace {
 /// Of the keys, pixels.
 float widestKeys(const Ui& ui) {
     float width = 0.0f;
-    for (const KeyHelp& key : kKeyHelp) width = std::max(width, textSize(key.keys, ui.fonts.strong).x);
+    for (const KeyHelp& key : kKeyHelp)
+        width = std::max(width, textSize(keyWords(key.keys), ui.fonts.strong).x);
     return width;
 }
 
@@ -63,7 +66,7 @@ void helpOverlay(const Ui& ui) {
             ImGui::BeginGroup();
         }
         ImGui::PushFont(ui.fonts.strong);
-        text(ui.widgets, kKeyHelp[i].keys);
+        text(ui.widgets, keyWords(kKeyHelp[i].keys));
         ImGui::PopFont();
         ImGui::SameLine(indent);
         text(ui.widgets, kKeyHelp[i].meaning);
@@ -81,11 +84,11 @@ void helpOverlay(const Ui& ui) {
 
 namespace {
 
-/// A bar at the lower edge. True when its button is pressed.
-bool messageBar(const Ui& ui, ImU32 ground, std::string_view words, const char* label) {
+/// A bar at the lower edge, from `left` on. True when its button is pressed.
+bool messageBar(const Ui& ui, float left, ImU32 ground, std::string_view words, const char* label) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos({0.0f, screen.y}, ImGuiCond_Always, {0.0f, 1.0f});
-    ImGui::SetNextWindowSizeConstraints({screen.x, 0.0f}, {screen.x, 0.4f * screen.y});
+    ImGui::SetNextWindowPos({left, screen.y}, ImGuiCond_Always, {0.0f, 1.0f});
+    ImGui::SetNextWindowSizeConstraints({screen.x - left, 0.0f}, {screen.x - left, 0.4f * screen.y});
     ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.panel);
     // Over the help. Else it must not take the focus: what is pressed elsewhere would be let go.
@@ -106,15 +109,16 @@ bool messageBar(const Ui& ui, ImU32 ground, std::string_view words, const char* 
 
 }  // namespace
 
-void bannerBar(const Ui& ui) {
-    if (messageBar(ui, ui.palette.error, ui.state.banner, "Dismiss")) ui.commands.push_back(DismissBanner{});
+void bannerBar(const Ui& ui, float left) {
+    if (messageBar(ui, left, ui.palette.error, trMessage(ui.state.banner), "Dismiss"))
+        ui.commands.push_back(DismissBanner{});
 }
 
-void noticeBar(const Ui& ui) {
+void noticeBar(const Ui& ui, float left) {
     const bool waiting = ui.state.exportWished;
     const std::string words =
         waiting ? say("The export waits for the light. {}", lightProgress(ui.state)) : ui.state.notice;
-    if (messageBar(ui, ui.palette.accent, words, waiting ? "Cancel" : "Dismiss"))
+    if (messageBar(ui, left, ui.palette.accent, words, waiting ? "Cancel" : "Dismiss"))
         ui.commands.push_back(DismissNotice{});
 }
 

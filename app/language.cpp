@@ -23,6 +23,22 @@ std::vector<std::string_view> placeholdersOf(std::string_view text) {
     return found;
 }
 
+using Words = std::map<std::string, std::string, std::less<>>;
+
+Words readWords(const std::string& file, std::string_view key, const TomlValue& value) {
+    Words words;
+    for (const TomlEntry& entry : readTable(file, key, value).entries) {
+        std::string translation = readText(file, entry.key, entry.value, kWordsRule);
+        if (placeholdersOf(translation) != placeholdersOf(entry.key))
+            failAt(
+                file, entry.value.where,
+                fmt::format("\"{}\" has other placeholders than \"{}\", expected the same in the same order",
+                            translation, entry.key));
+        words.emplace(entry.key, std::move(translation));
+    }
+    return words;
+}
+
 }  // namespace
 
 Language parseLanguage(std::string_view text, const std::string& file, std::string code) {
@@ -30,17 +46,11 @@ Language parseLanguage(std::string_view text, const std::string& file, std::stri
     TableReader table(file, std::get<TomlTable>(document.data), document.where, "a language");
     const TomlValue* name = table.required("name");
     const TomlValue* words = table.required("words");
+    const TomlValue* messages = table.optional("messages");
     table.finish();
-    Language language{std::move(code), readText(file, "name", *name, kWordsRule), {}};
-    for (const TomlEntry& entry : readTable(file, "words", *words).entries) {
-        std::string translation = readText(file, entry.key, entry.value, kWordsRule);
-        if (placeholdersOf(translation) != placeholdersOf(entry.key))
-            failAt(
-                file, entry.value.where,
-                fmt::format("\"{}\" has other placeholders than \"{}\", expected the same in the same order",
-                            translation, entry.key));
-        language.words.emplace(entry.key, std::move(translation));
-    }
+    Language language{
+        std::move(code), readText(file, "name", *name, kWordsRule), readWords(file, "words", *words), {}};
+    if (messages != nullptr) language.messages = readWords(file, "messages", *messages);
     return language;
 }
 
@@ -66,9 +76,12 @@ void speak(const Language* language) {
     ImGui::GetIO().UserData = const_cast<Language*>(language);
 }
 
+const Language* spoken() {
+    return ImGui::GetCurrentContext() ? static_cast<const Language*>(ImGui::GetIO().UserData) : nullptr;
+}
+
 std::string_view tr(std::string_view english) {
-    if (!ImGui::GetCurrentContext()) return english;
-    const auto* language = static_cast<const Language*>(ImGui::GetIO().UserData);
+    const Language* language = spoken();
     if (!language) return english;
     const auto found = language->words.find(english);
     return found == language->words.end() ? english : std::string_view(found->second);

@@ -15,13 +15,15 @@ struct Language {
     std::string code;  ///< of lessons/<code>/ and --language: de
     std::string name;  ///< in itself: Deutsch
     std::map<std::string, std::string, std::less<>> words;
+    std::map<std::string, std::string, std::less<>>
+        messages;  ///< with {} for each value: see message_words.h
 };
 
 /// All but English, from assets/languages. Throws InputError if one of these files is not as it should be:
 /// a template must keep its placeholders.
 std::vector<Language> loadLanguages();
 
-/// Reads one: name = "...", [words] English = "translation".
+/// Reads one: name = "...", [words] and [messages] English = "translation".
 Language parseLanguage(std::string_view text, const std::string& file, std::string code);
 
 /// Null: English, or there is no such language.
@@ -29,6 +31,9 @@ const Language* findLanguage(const std::vector<Language>& languages, std::string
 
 /// The current ImGui context speaks this language from now on (null: English). It must outlive the frame.
 void speak(const Language* language);
+
+/// What the current context speaks; null: English, or there is no context.
+const Language* spoken();
 
 /// The words in the context's language; the same words if it has none for them.
 std::string_view tr(std::string_view english);

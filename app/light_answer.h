@@ -10,6 +10,7 @@
 
 #include "app/light_picture.h"
 #include "app/prepared_scene.h"
+#include "app/strategy_grid.h"
 #include "core/estimate.h"
 #include "core/light_way.h"
 #include "core/path_run.h"
@@ -33,7 +34,7 @@ struct LightQuestion {
     WallPoint at{};
     Settings settings{};
     bool wantsDamage = false;  ///< also what each defect alone does
-    ViewSet pictures{};        ///< of View::eye, field, profile and paths: those that are wanted too
+    ViewSet pictures{};        ///< of kPictureSet: those that are wanted too
     Makers makers{};           ///< of the pictures
     Run run = Run::castRay;    ///< that is recorded
 };
@@ -124,10 +125,12 @@ struct LightAnswer {
     // stage 4: pictures, which do not depend on P (the profile only on its wall)
     PictureSet pictures, against;
     std::array<ExactPictures, 2> exactPictures;                 ///< of both makers, whose depths may differ
+    std::shared_ptr<const StrategyGrid> strategies;             ///< null: not begun, or not wanted
     std::shared_ptr<const std::vector<LightWay>> ways;          ///< of View::paths
     std::vector<std::pair<std::string, std::size_t>> wayWords;  ///< how many have each word, commonest first
     std::optional<std::size_t> throughPupil;  ///< how many of them pass the eye, if there is one
 
+    std::string failure;  ///< not empty: why nothing more will come
     bool complete = false;
 };
 

@@ -1,6 +1,7 @@
 #include "app/light_job.h"
 
 #include <climits>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -8,6 +9,14 @@
 #include "app/picture_stages.h"
 
 namespace halfdisk {
+
+struct LightJob::Caches {
+    ReferenceCache references;
+    PictureCache pictures;
+    /// Every record is held here as well, so that its megabytes are given back on this thread, not within a
+    /// frame.
+    std::vector<std::shared_ptr<const void>> records;
+};
 
 LightJob::LightJob() : thread_([this] { run(); }) {}
 
@@ -56,12 +65,33 @@ void LightJob::publish(const LightAnswer& answer) {
     latest_ = std::move(copy);
 }
 
+void LightJob::answerAll(LightAnswer& answer, Caches& caches) {
+    std::erase_if(caches.records, [](const auto& record) { return record.use_count() == 1; });
+    recordRun(answer, cancelled_);
+    recordPathRun(answer, cancelled_);
+    if (answer.record) caches.records.push_back(answer.record);
+    if (answer.pathRun) caches.records.push_back(answer.pathRun);
+    finishingFirstPicture_ = false;
+    recallPictures(answer, caches.pictures);
+    if (!cancelled_) publish(answer);
+    const auto superseded = [&] {
+        const std::lock_guard guard(mutex_);
+        return waiting_.has_value() || quit_;
+    };
+    const auto publishNow = [&] { publish(answer); };
+    // First pictures at once, for what is exactly known may take a while.
+    if (!superseded()) refinePictures(answer, caches.pictures, cancelled_, publishNow, 1);
+    if (!superseded()) refine(answer, caches.references, cancelled_, publishNow);
+    if (!superseded()) findExactPictures(answer, caches.references, cancelled_);
+    if (!superseded()) refinePictures(answer, caches.pictures, cancelled_, publishNow, UINT_MAX);
+    if (!superseded()) {
+        answer.complete = true;
+        publishNow();
+    }
+}
+
 void LightJob::run() {
-    ReferenceCache references;
-    PictureCache pictures;
-    // Every record is held here as well, so that its megabytes are given back on this thread, not within a
-    // frame.
-    std::vector<std::shared_ptr<const void>> records;
+    Caches caches;
     std::unique_lock lock(mutex_);
     while (true) {
         changed_.wait(lock, [this] { return quit_ || waiting_; });
@@ -73,27 +103,17 @@ void LightJob::run() {
         finishingFirstPicture_ = isQuick(answer.asked);
         lock.unlock();
 
-        std::erase_if(records, [](const auto& record) { return record.use_count() == 1; });
-        recordRun(answer, cancelled_);
-        recordPathRun(answer, cancelled_);
-        if (answer.record) records.push_back(answer.record);
-        if (answer.pathRun) records.push_back(answer.pathRun);
-        finishingFirstPicture_ = false;
-        recallPictures(answer, pictures);
-        if (!cancelled_) publish(answer);
-        const auto superseded = [&] {
-            const std::lock_guard guard(mutex_);
-            return waiting_.has_value() || quit_;
-        };
-        const auto publishNow = [&] { publish(answer); };
-        // First pictures at once, for what is exactly known may take a while.
-        if (!superseded()) refinePictures(answer, pictures, cancelled_, publishNow, 1);
-        if (!superseded()) refine(answer, references, cancelled_, publishNow);
-        if (!superseded()) findExactPictures(answer, references, cancelled_);
-        if (!superseded()) refinePictures(answer, pictures, cancelled_, publishNow, UINT_MAX);
-        if (!superseded()) {
+        try {
+            answerAll(answer, caches);
+        } catch (const std::bad_alloc&) {
+            // What was kept is given back first; the window lives on, and says why.
+            const LightQuestion asked = answer.asked;
+            caches = {};
+            answer = {};
+            answer.asked = asked;
+            answer.failure = "there is not enough memory for this light";
             answer.complete = true;
-            publishNow();
+            publish(answer);
         }
 
         lock.lock();

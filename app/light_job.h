@@ -34,7 +34,10 @@ class LightJob {
     bool waitUntilIdle(std::chrono::milliseconds most) const;
 
  private:
+    struct Caches;
+
     void run();
+    void answerAll(LightAnswer& answer, Caches& caches);
     void publish(const LightAnswer& answer);
 
     mutable std::mutex mutex_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "app/language.h"
 #include "app/picture_stages.h"
 
 namespace halfdisk {
@@ -31,7 +32,9 @@ std::vector<Part> partsOf(const AppState& state) {
     std::vector<Part> parts{{"P", answer ? shareOfPoint(*answer) : 0.0}};
     for (const View view : kPictureViews) {
         if (!state.shows(view) || (view == View::eye && !state.scene->scene.eye)) continue;
-        const std::string name(nameOf(kViews, view));
+        const std::string name(tr(view == View::eye     ? "the eye's strip"
+                                  : view == View::field ? "the field"
+                                                        : "the profile"));
         const auto share = [&](const PictureSet* pictures) {
             const LightPicture* picture = pictures ? pictures->of(view).get() : nullptr;
             return picture ? shareDone(*picture, state.makers.second ? state.makers.equal : Budget::rays)
@@ -40,6 +43,9 @@ std::vector<Part> partsOf(const AppState& state) {
         parts.push_back({name, share(answer ? &answer->pictures : nullptr)});
         if (state.makers.second) parts.push_back({name + " B", share(answer ? &answer->against : nullptr)});
     }
+    if (state.shows(View::strategies))
+        parts.push_back({std::string(nameOf(kViews, View::strategies)),
+                         answer && answer->strategies ? shareDone(*answer->strategies) : 0.0});
     return parts;
 }
 
@@ -67,7 +73,7 @@ std::string lightParts(const AppState& state) {
     std::string words;
     for (const Part& part : partsOf(state)) {
         words += fmt::format("{}{} ", words.empty() ? "" : ", ", part.name);
-        words += part.share >= 1.0 ? "done" : fmt::format("{} %", percent(part.share));
+        words += part.share >= 1.0 ? std::string(tr("done")) : fmt::format("{} %", percent(part.share));
     }
     return words;
 }

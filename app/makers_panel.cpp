@@ -9,6 +9,7 @@
 #include "app/draw_text.h"
 #include "app/exact_stages.h"
 #include "app/language.h"
+#include "app/message_words.h"
 #include "app/picture_stages.h"
 #include "lessons/maker_reader.h"
 
@@ -48,7 +49,7 @@ bool editParam(const Ui& ui, const ParamInfo& param, double& value) {
                                      {param.least, param.most, speed, "%.4g", false});
     }
     const std::string unit = param.unit.empty() ? "" : fmt::format(" ({})", param.unit);
-    tooltip(fmt::format("{}{}: {}", tr(param.meaning), unit, paramRange(param)));
+    tooltip(fmt::format("{}{}: {}", tr(param.meaning), unit, trMessage(paramRange(param))));
     return changed;
 }
 
@@ -65,7 +66,7 @@ void costLine(const Ui& ui, View view, std::size_t side) {
     if (!picture) return;
     if (!picture->refusal.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.error);
-        textWrapped(ui.widgets, picture->refusal);
+        textWrapped(ui.widgets, trMessage(picture->refusal));
         ImGui::PopStyleColor();
         return;
     }

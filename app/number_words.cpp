@@ -3,13 +3,19 @@
 #include <fmt/format.h>
 
 #include "app/draw_text.h"
+#include "app/language.h"
+#include "app/message_words.h"
 
 namespace halfdisk {
 namespace {
 
 std::string irradiance(const Rgb& value) {
     if (isGray(value)) return fmt::format("{} W/m", shown(value));
-    return fmt::format("{} W/m (red, green, blue: {})", shown(gray(value)), shown(value));
+    return say("{} W/m (red, green, blue: {})", shown(gray(value)), shown(value));
+}
+
+void add(std::vector<NumberWords>& numbers, std::string_view name, std::string value) {
+    numbers.push_back({std::string(tr(name)), std::move(value)});
 }
 
 void addEstimate(std::vector<NumberWords>& numbers, const AppState& state, const LightAnswer& answer) {
@@ -17,23 +23,22 @@ void addEstimate(std::vector<NumberWords>& numbers, const AppState& state, const
     const Rgb E = answer.estimate.total();
     std::string value = irradiance(E);
     if (answer.standardError)
-        value += fmt::format(" \u00b1 {:.2g}, one standard error from its own samples",
-                             gray(*answer.standardError));
+        value += say(" \u00b1 {:.2g}, one standard error from its own samples", gray(*answer.standardError));
     else if (answer.runs.count > 1)
-        value += fmt::format(" \u00b1 {:.2g}, one standard error from the spread of {} runs",
-                             gray(glm::sqrt(answer.runs.variance())), answer.runs.count);
-    numbers.push_back({printed ? "E as printed" : "estimate of E", value});
+        value += say(" \u00b1 {:.2g}, one standard error from the spread of {} runs",
+                     gray(glm::sqrt(answer.runs.variance())), answer.runs.count);
+    add(numbers, printed ? "E as printed" : "estimate of E", value);
     if (!printed && state.settings.maxDepth > 0) {
-        numbers.push_back({"of it direct", irradiance(answer.estimate.direct)});
-        numbers.push_back({"of it indirect", irradiance(answer.estimate.indirect)});
+        add(numbers, "of it direct", irradiance(answer.estimate.direct));
+        add(numbers, "of it indirect", irradiance(answer.estimate.indirect));
     }
-    if (answer.corrected) numbers.push_back({"E corrected", irradiance(answer.corrected->total())});
+    if (answer.corrected) add(numbers, "E corrected", irradiance(answer.corrected->total()));
 }
 
 void addDamage(std::vector<NumberWords>& numbers, const LightAnswer& answer) {
     for (const Damage& damage : answer.damage)
         numbers.push_back(
-            {fmt::format("what {} alone does to E", nameOf(kDefects, damage.defect)),
+            {say("what {} alone does to E", nameOf(kDefects, damage.defect)),
              fmt::format("{:+.1f} % \u00b1 {:.2g} %", 100.0 * damage.relative, 100.0 * damage.error)});
 }
 
@@ -42,18 +47,17 @@ std::vector<NumberWords> pathRunNumbers(const AppState& state, const LightAnswer
     const PathRun& run = *answer.pathRun;
     std::vector<NumberWords> numbers;
     if (state.shows(View::exact))
-        numbers.push_back({"exact E", answer.exact ? irradiance(*answer.exact) : "not known"});
+        add(numbers, "exact E", answer.exact ? irradiance(*answer.exact) : std::string(tr("not known")));
     if (!state.shows(View::numbers)) return numbers;
-    if (!run.refusal.empty()) return {{"estimate of E", fmt::format("none: {}", run.refusal)}};
+    if (!run.refusal.empty())
+        return {{std::string(tr("estimate of E")), say("none: {}", trMessage(run.refusal))}};
     std::string value = irradiance(run.estimate);
     if (run.standardError)
-        value +=
-            fmt::format(" \u00b1 {:.2g}, one standard error from its own paths", gray(*run.standardError));
+        value += say(" \u00b1 {:.2g}, one standard error from its own paths", gray(*run.standardError));
     const bool finished = !state.playback.stepping || state.playback.event >= state.eventCount();
-    if (!finished)
-        value = fmt::format("not finished, at step {} of {}", state.playback.event, state.eventCount());
-    numbers.push_back({"estimate of E", value});
-    if (finished) numbers.push_back({"rays cast", fmt::format("{}", run.counts.rays)});
+    if (!finished) value = say("not finished, at step {} of {}", state.playback.event, state.eventCount());
+    add(numbers, "estimate of E", value);
+    if (finished) add(numbers, "rays cast", fmt::format("{}", run.counts.rays));
     return numbers;
 }
 
@@ -68,22 +72,22 @@ std::vector<NumberWords> numberWords(const AppState& state) {
     const bool counted = state.shows(View::numbers) && finished;
     if (counted) addEstimate(numbers, state, answer);
     if (state.shows(View::numbers) && !finished)
-        numbers.push_back({"estimate of E", fmt::format("not finished, at step {} of {}",
-                                                        state.playback.event, state.eventCount())});
+        add(numbers, "estimate of E",
+            say("not finished, at step {} of {}", state.playback.event, state.eventCount()));
     if (state.shows(View::exact)) {
-        numbers.push_back({"exact E", answer.exact ? irradiance(*answer.exact) : "not known"});
+        add(numbers, "exact E", answer.exact ? irradiance(*answer.exact) : std::string(tr("not known")));
         if (counted && answer.exact && gray(*answer.exact) != 0.0)
-            numbers.push_back(
-                {"off by", fmt::format("{:+.1f} %",
-                                       100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0))});
+            add(numbers, "off by",
+                fmt::format("{:+.1f} %",
+                            100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0)));
     }
     if (counted) {
-        numbers.push_back({"L of the wall", answer.radiance
-                                                ? fmt::format("{} W/(m rad)", shown(*answer.radiance))
-                                                : "depends on the view"});
-        numbers.push_back({"rays cast", std::to_string(answer.rays)});
+        add(numbers, "L of the wall",
+            answer.radiance ? fmt::format("{} W/(m rad)", shown(*answer.radiance))
+                            : std::string(tr("depends on the view")));
+        add(numbers, "rays cast", std::to_string(answer.rays));
     }
-    if (answer.nonFinite > 0) numbers.push_back({"samples not finite", std::to_string(answer.nonFinite)});
+    if (answer.nonFinite > 0) add(numbers, "samples not finite", std::to_string(answer.nonFinite));
     if (state.shows(View::damage)) addDamage(numbers, answer);
     return numbers;
 }

@@ -5,6 +5,7 @@
 
 #include "app/draw_text.h"
 #include "app/language.h"
+#include "app/message_words.h"
 #include "app/panels.h"
 
 namespace halfdisk {
@@ -76,7 +77,8 @@ void estimateRows(const Ui& ui, const LightAnswer& answer) {
 /// The same of another estimator's run.
 void pathRunRows(const Ui& ui, const LightAnswer& answer) {
     const PathRun& run = *answer.pathRun;
-    if (!run.refusal.empty()) return row(ui, "estimate of E", "none", ui.palette.error, run.refusal);
+    if (!run.refusal.empty())
+        return row(ui, "estimate of E", "none", ui.palette.error, trMessage(run.refusal));
     std::string value = shown(gray(run.estimate));
     if (run.standardError)
         value += fmt::format(" \u00b1 {}", shownError(gray(*run.standardError), gray(run.estimate)));

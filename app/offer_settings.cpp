@@ -103,6 +103,10 @@ void offerViews(Offer& offer) {
         offer.add(fmt::format("{} {}: {}", tr(on ? "Hide" : "Show"), view.name, tr(view.meaning)), key,
                   SetView{view.value, !on});
     }
+    const bool alone = offer.state.strategiesAlone;
+    offer.addIf(offer.state.shows(View::strategies),
+                alone ? "Strategies: with their weights" : "Strategies: each by itself", {},
+                WeighStrategies{!alone});
 }
 
 void offerEstimators(Offer& offer) {

@@ -63,6 +63,7 @@ void showDescribed(AppState& state, SceneDescription scene, const std::filesyste
     state.makers = {};
     state.run = Run::castRay;
     state.scale = FieldScale::light;
+    state.strategiesAlone = false;
     askAnew(state);
     state.playback.stepping = false;
 }
@@ -94,6 +95,7 @@ void askAnew(AppState& state) {
 }
 
 void enterStep(AppState& state, std::size_t step) {
+    state.notice.clear();
     const Step& entered = state.lesson->steps[step];
     if (state.sceneOverride.empty() && !(state.scene->description == state.lesson->scene))
         showScene(state, state.lesson->scene, state.lesson->scenePath);
@@ -117,6 +119,7 @@ void enterStep(AppState& state, std::size_t step) {
     state.makers = values.makers;
     state.run = values.run;
     state.scale = values.scale;
+    state.strategiesAlone = false;
     state.sampleRange.reset();
     state.split = 0.5f;
     askAnew(state);
@@ -152,6 +155,7 @@ void showShared(AppState& state, const std::string& text) {
     state.makers = shared.makers;
     state.run = shared.run;
     state.scale = shared.scale;
+    state.strategiesAlone = shared.strategiesAlone;
     askAnew(state);
     state.playback = shared.playback;
     state.fitCamera = true;
@@ -215,7 +219,7 @@ AppState openLesson(const std::filesystem::path& lessonsFolder, const std::optio
         goTo(state, {entry.slug, 1});
         return state;
     }
-    throw InputError(lessonsFolder.string() + ": no lesson that can be read, expected files NN-name.toml");
+    throw InputError(lessonsFolder.string(), "no lesson that can be read, expected files NN-name.toml");
 }
 
 AppState openDescribed(const std::filesystem::path& lessonsFolder, const SceneDescription& scene) {

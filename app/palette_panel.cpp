@@ -4,6 +4,7 @@
 #include "app/doable.h"
 #include "app/draw_text.h"
 #include "app/fuzzy.h"
+#include "app/key_words.h"
 #include "app/overlay.h"
 #include "app/panels.h"
 #include "lessons/utf8.h"
@@ -34,12 +35,12 @@ void row(const Ui& ui, const Doable& entry, std::size_t index, float width) {
         ui.commands.push_back(entry.command);
     }
     const float padding = ImGui::GetStyle().FramePadding.x, top = at.y + ImGui::GetStyle().FramePadding.y;
-    const float keyWidth = entry.key.empty() ? 0.0f : textSize(entry.key, ui.fonts.strong).x + 3 * padding;
+    const std::string key = keyWords(entry.key);
+    const float keyWidth = key.empty() ? 0.0f : textSize(key, ui.fonts.strong).x + 3 * padding;
     const std::string name = firstThatFits({entry.name}, width - 2 * padding - keyWidth);
     markedText(ui, {at.x + padding, top}, name, fuzzyPlaces(ui.state.palette.query, entry.name));
-    if (!entry.key.empty())
-        drawText(ui, {at.x + width - padding, top}, ui.palette.inkSoft, entry.key, Align::right,
-                 ui.fonts.strong);
+    if (!key.empty())
+        drawText(ui, {at.x + width - padding, top}, ui.palette.inkSoft, key, Align::right, ui.fonts.strong);
 }
 
 }  // namespace

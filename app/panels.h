@@ -21,14 +21,17 @@ void inspector(const Ui& ui);
 void makersPanel(const Ui& ui);
 /// Every sample of the run, with what it brings.
 void samplesPanel(const Ui& ui, ImVec2 size);
+/// Every strategy of paths from both ends, side by side.
+void strategiesPanel(const Ui& ui, ImVec2 size);
 void profilePlot(const Ui& ui, ImVec2 size);
 void integrandPlot(const Ui& ui, ImVec2 size);
 void errorPlot(const Ui& ui, ImVec2 size);
 void histogramPlot(const Ui& ui, ImVec2 size);
 void helpOverlay(const Ui& ui);
-void bannerBar(const Ui& ui);
+/// From `left` (pixels) to the right edge: the lesson's buttons stay in reach.
+void bannerBar(const Ui& ui, float left);
 /// How far what was asked for is, or that it is done.
-void noticeBar(const Ui& ui);
+void noticeBar(const Ui& ui, float left);
 /// The list of all that can be done.
 void paletteOverlay(const Ui& ui);
 /// The list of files that can be opened.

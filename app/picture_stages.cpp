@@ -221,6 +221,7 @@ void recallPictures(LightAnswer& answer, PictureCache& cache) {
         }
         share(answer.pictures.of(view), answer.against.of(view));
     }
+    recallStrategies(answer, cache.strategies);
 }
 
 void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<bool>& cancelled,
@@ -230,6 +231,7 @@ void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<
         for (std::size_t side = 0; side < 2; ++side)
             if (const std::optional<Maker> maker = makerAsked(asked, kPictureViews[k], side))
                 prepare(cache.works[k][side], asked, kPictureViews[k], *maker, cancelled);
+    bool strategies = prepareStrategies(asked, cache.strategies, cancelled);
     recallPictures(answer, cache);  // also what refuses
     if (asked.pictures.has(View::paths) && !answer.ways) {
         answer.ways = std::make_shared<const std::vector<LightWay>>(
@@ -251,6 +253,12 @@ void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<
                 recallPictures(answer, cache);
                 publish();
             }
+        if (!strategies) continue;
+        if (cancelled || !cache.strategies->addBatch()) return;
+        strategies = !cache.strategies->grid()->complete;
+        growing = true;
+        recallStrategies(answer, cache.strategies);
+        publish();
     }
 }
 

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/light_answer.h"
+#include "app/strategy_work.h"
 #include "core/estimator.h"
 
 namespace halfdisk {
@@ -58,6 +59,7 @@ class PictureWork {
 struct PictureCache {
     /// By kPictureViews; the first maker's and the second's.
     std::array<std::array<std::unique_ptr<PictureWork>, 2>, kPictureViews.size()> works;
+    std::unique_ptr<StrategyWork> strategies;
 };
 
 /// The pictures as far as they are done already, and none that answers another question.

@@ -111,4 +111,40 @@ std::string fieldTable(const AppState& state) {
     return table.text();
 }
 
+std::string strategiesTable(const AppState& state) {
+    CsvText table{"s",          "t",           "place (m or degrees)",
+                  "share (%)",  "R",           "G",
+                  "B",          "errorR",      "errorG",
+                  "errorB",     "aloneR",      "aloneG",
+                  "aloneB",     "errorAloneR", "errorAloneG",
+                  "errorAloneB"};
+    const StrategyGrid* grid = state.answer ? state.answer->strategies.get() : nullptr;
+    if (!grid || grid->film.whole.passes == 0) return table.text();
+    const PixelPlaces places(grid->sensor, state.answer->asked.scene->index);
+    const auto numbers = [&](const Statistics& weighted, const Statistics& alone) {
+        for (const Statistics& value : {weighted, alone}) {
+            table.cell(value.mean);
+            if (hasError(value))
+                table.cell(value.standardError());
+            else
+                table.empty(3);
+        }
+        table.endRow();
+    };
+    const StrategyFilm& film = grid->film;
+    for (std::size_t at = 0; at < film.table.size(); ++at) {
+        const Strategy strategy = film.table[at];
+        if (!grid->canBe(strategy)) continue;
+        table.cell(double(strategy.s)).cell(double(strategy.t)).empty().cell(100.0 * grid->share(at, false));
+        numbers(film.weightedMeans[at], film.aloneMeans[at]);
+        const PixelStatistics weighted = film.pictureOf(film.weighted, at),
+                              alone = film.pictureOf(film.alone, at);
+        for (std::uint32_t pixel = 0; pixel < weighted.size(); ++pixel) {
+            table.cell(double(strategy.s)).cell(double(strategy.t)).cell(places.at(pixel)[0]).empty();
+            numbers(weighted[pixel], alone[pixel]);
+        }
+    }
+    return table.text();
+}
+
 }  // namespace halfdisk

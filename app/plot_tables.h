@@ -19,6 +19,8 @@ std::string histogramTable(const AppState& state);
 std::string profileTable(const AppState& state);
 std::string eyeTable(const AppState& state);
 std::string fieldTable(const AppState& state);
+/// Of each strategy (s, t) its mean over all pixels, where no place is named, then every pixel.
+std::string strategiesTable(const AppState& state);
 
 struct PlotTable {
     std::string_view name;  ///< of the drawing, as of the file
@@ -26,13 +28,14 @@ struct PlotTable {
     std::string (*table)(const AppState& state);
 };
 
-inline constexpr std::array<PlotTable, 6> kPlotTables{{
+inline constexpr std::array<PlotTable, 7> kPlotTables{{
     {"integrand", View::integrand, integrandTable},
     {"error", View::error, errorTable},
     {"histogram", View::histogram, histogramTable},
     {"profile", View::profile, profileTable},
     {"eye", View::eye, eyeTable},
     {"field", View::field, fieldTable},
+    {"strategies", View::strategies, strategiesTable},
 }};
 
 }  // namespace halfdisk

@@ -10,6 +10,7 @@
 #include "app/goal_check.h"
 #include "app/histogram.h"
 #include "app/language.h"
+#include "app/message_words.h"
 #include "app/render_sensor.h"
 #include "app/scene_words.h"
 #include "app/shown_pictures.h"
@@ -45,8 +46,10 @@ std::vector<double> graysOf(const LightPicture& picture) {
 }
 
 std::string integrandWords(const AppState& state) {
-    if (!state.answer || state.answer->integrand.empty()) return "Nothing exact is known about P.";
-    if (asksForCurve(state) && !isDrawn(state)) return "The curve is hidden until it is drawn.";
+    if (!state.answer || state.answer->integrand.empty())
+        return std::string(tr("Nothing exact is known about P."));
+    if (asksForCurve(state) && !isDrawn(state))
+        return std::string(tr("The curve is hidden until it is drawn."));
     const auto& points = state.answer->integrand;
     const auto brighter = [](const IntegrandPoint& a, const IntegrandPoint& b) {
         return gray(a.radiance) < gray(b.radiance);
@@ -68,7 +71,8 @@ std::string integrandWords(const AppState& state) {
 }
 
 std::string errorWords(const AppState& state) {
-    if (!state.answer || state.answer->errors.size() < 2) return "Not measured, for no exact value is known.";
+    if (!state.answer || state.answer->errors.size() < 2)
+        return std::string(tr("Not measured, for no exact value is known."));
     const ErrorPoint &first = state.answer->errors.front(), &last = state.answer->errors.back();
     std::string words = say(
         "Root mean square error of E over 48 runs each, N doubling from {:.0f} to {:.0f}: from {} W/m down "
@@ -84,7 +88,7 @@ std::string errorWords(const AppState& state) {
 }
 
 std::string histogramWords(const AppState& state) {
-    if (!state.answer || state.answer->histogramOf.empty()) return "Nothing was counted.";
+    if (!state.answer || state.answer->histogramOf.empty()) return std::string(tr("Nothing was counted."));
     const Histogram histogram = histogramOf(state.answer->histogramOf);
     const auto fullest = std::max_element(histogram.counts.begin(), histogram.counts.end());
     const auto bin = static_cast<std::size_t>(fullest - histogram.counts.begin());
@@ -103,14 +107,14 @@ std::string refusals(const AppState& state, View view) {
     if (!state.answer) return words;
     for (const PictureSet* pictures : {&state.answer->pictures, &state.answer->against})
         if (const auto& picture = pictures->of(view); picture && !picture->refusal.empty())
-            words += say("{}No picture: {}.", words.empty() ? "" : "\n", picture->refusal);
+            words += say("{}No picture: {}.", words.empty() ? "" : "\n", trMessage(picture->refusal));
     return words;
 }
 
 std::string costWords(const LightPicture& picture) {
     std::string words = say("{} rays", picture.film.counts.rays);
     if (picture.noise) words += say(", noise {:.2g} %", 100.0 * *picture.noise);
-    if (!picture.complete) words += ", not complete yet";
+    if (!picture.complete) words += tr(", not complete yet");
     return words;
 }
 
@@ -130,7 +134,7 @@ std::string rowWords(const AppState& state, View view, std::string_view unit, st
     const std::string refused = refusals(state, view);
     if (!words.empty() && !refused.empty()) words += '\n';
     words += refused;
-    return words.empty() ? "There is no picture yet." : words;
+    return words.empty() ? std::string(tr("There is no picture yet.")) : words;
 }
 
 std::string profileWords(const AppState& state) {
@@ -143,12 +147,13 @@ std::string profileWords(const AppState& state) {
 }
 
 std::string eyeStripWords(const AppState& state) {
-    if (!state.scene->scene.eye) return "This scene has no eye.";
-    return rowWords(state, View::eye, "W/(m rad)", "from left to right",
+    if (!state.scene->scene.eye) return std::string(tr("This scene has no eye."));
+    return rowWords(state, View::eye, "W/(m rad)", tr("from left to right"),
                     [&](const LightPicture& picture, std::uint32_t pixel) {
-                        return say(
-                            "{:.0f} degrees to the right of the middle",
-                            PixelPlaces(picture.sensor, state.answer->asked.scene->index).at(pixel)[0]);
+                        const double degrees =
+                            PixelPlaces(picture.sensor, state.answer->asked.scene->index).at(pixel)[0];
+                        return degrees < 0.0 ? say("{:.0f} degrees to the left of the middle", -degrees)
+                                             : say("{:.0f} degrees to the right of the middle", degrees);
                     });
 }
 
@@ -180,7 +185,26 @@ std::string fieldWords(const AppState& state) {
     const std::string refused = refusals(state, View::field);
     if (!words.empty() && !refused.empty()) words += '\n';
     words += refused;
-    return words.empty() ? "There is no picture yet." : words;
+    return words.empty() ? std::string(tr("There is no picture yet.")) : words;
+}
+
+std::string strategiesWords(const AppState& state) {
+    const StrategyGrid* grid = state.answer ? state.answer->strategies.get() : nullptr;
+    if (!grid || grid->film.whole.passes == 0) return "There is no picture yet.";
+    std::string words =
+        say("{} rays. Mean of all strategies with their weights: {} \u00b1 {:.1g} {}.",
+            grid->film.whole.counts.rays, shown(grid->film.wholeMean.mean[0]),
+            gray(grid->film.wholeMean[0].standardError()), grid->ofEye() ? "W/(m rad)" : "W/m");
+    for (std::size_t at = 0; at < grid->film.table.size(); ++at) {
+        if (grid->film.aloneMeans.mean[at] == Rgb(0.0)) continue;
+        const Strategy strategy = grid->film.table[at];
+        words += say("\ns = {}, t = {}: {:.3g} % of all light, by itself {:.3g} %.", strategy.s, strategy.t,
+                     100.0 * grid->share(at, false), 100.0 * grid->share(at, true));
+    }
+    if (grid->hasLonger)
+        words += say("\nPaths of more than {} vertices: {:.3g} %.", kGridVertices,
+                     100.0 * grid->share(grid->film.table.longer(), false));
+    return words;
 }
 
 }  // namespace
@@ -193,18 +217,20 @@ std::string drawingWords(const AppState& state, std::string_view name) {
     if (name == "profile") return profileWords(state);
     if (name == "eye") return eyeStripWords(state);
     if (name == "field") return fieldWords(state);
+    if (name == "strategies") return strategiesWords(state);
     return {};
 }
 
 std::string drawingTitle(const AppState& state, std::string_view name) {
-    if (name == "integrand") return "Light arriving at P";
-    if (name == "error") return "Error against N";
-    if (name == "histogram") return "What single samples bring";
+    if (name == "integrand") return std::string(tr("Light arriving at P"));
+    if (name == "error") return std::string(tr("Error against N"));
+    if (name == "histogram") return std::string(tr("What single samples bring"));
     if (name == "profile")
         return say("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
-    if (name == "eye") return "What the eye sees";
-    if (name == "field") return "The field of light";
-    return "The scene";
+    if (name == "eye") return std::string(tr("What the eye sees"));
+    if (name == "field") return std::string(tr("The field of light"));
+    if (name == "strategies") return std::string(tr("All strategies (s, t)"));
+    return std::string(tr("The scene"));
 }
 
 }  // namespace halfdisk

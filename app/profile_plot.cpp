@@ -6,6 +6,7 @@
 
 #include "app/draw_text.h"
 #include "app/language.h"
+#include "app/message_words.h"
 #include "app/panels.h"
 #include "app/pen.h"
 #include "app/plot.h"
@@ -38,7 +39,7 @@ const std::vector<Rgb>* exactProfile(const AppState& state) {
 std::string whyEmpty(const AppState& state) {
     if (state.answer)
         for (const auto* picture : {&state.answer->pictures.profile, &state.answer->against.profile})
-            if (*picture && !(*picture)->refusal.empty()) return (*picture)->refusal;
+            if (*picture && !(*picture)->refusal.empty()) return trMessage((*picture)->refusal);
     return "being computed";
 }
 

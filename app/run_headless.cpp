@@ -45,6 +45,12 @@ void waitForLight(Session& session) {
     }
 }
 
+/// Throws where the light could not be computed.
+void refuseFailed(const Session& session) {
+    const auto answer = session.light.latest();
+    if (answer && !answer->failure.empty()) throw std::runtime_error(answer->failure);
+}
+
 }  // namespace
 
 std::vector<Image> picturesOf(AppState state, std::span<HeadlessHost* const> hosts) {
@@ -52,6 +58,7 @@ std::vector<Image> picturesOf(AppState state, std::span<HeadlessHost* const> hos
     session.state = std::move(state);
     askLight(session);
     session.light.waitUntilIdle();
+    refuseFailed(session);
     std::vector<Image> images;
     for (HeadlessHost* host : hosts) {
         session.state.uiScale = host->uiScale();
@@ -91,6 +98,7 @@ int runExport(const ExportRequest& request) {
     HeadlessHost host(request.size.width, request.size.height, scale);
     askLight(session);
     waitForLight(session);
+    refuseFailed(session);
     const FrameMaker maker{[&](const FrameMaker::Draw& draw) { host.frameWithoutDrawing(draw); },
                            [&](const FrameMaker::Draw& draw) { host.frame(draw); },
                            [&] { return host.readPixels(); }, [&]() -> const Fonts& { return host.fonts(); },

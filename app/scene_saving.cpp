@@ -56,8 +56,9 @@ void saveEdited(AppState& state, const SaveScene& save) {
     const bool isOwn = editing.savedAs == save.path || (editing.origin == save.path && !isOfCourse(state));
     if (!editing.confirmed && (comments || (there && !isOwn))) {
         editing.confirmed = true;
-        editing.message = fmt::format("{} {}. Save again to write over it.", save.path,
-                                      comments ? "has comments, which would go" : "is there already");
+        editing.message =
+            comments ? fmt::format("{} has comments, which would go. Save again to write over it.", save.path)
+                     : fmt::format("{} is there already. Save again to write over it.", save.path);
         return;
     }
     try {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/draw_text.h"
+#include "app/language.h"
 #include "core/overload.h"
 #include "lessons/scene_expansion.h"
 #include "lessons/shape_edges.h"
@@ -20,50 +21,50 @@ std::string pointsWords(const std::vector<Vec2>& points) {
         if (i > 0) words += ", ";
         words += placeWords(points[i]);
     }
-    if (points.size() > kMostPoints) words += fmt::format(" and {} more", points.size() - kMostPoints);
+    if (points.size() > kMostPoints) words += say(" and {} more", points.size() - kMostPoints);
     return words;
 }
 
 std::string_view facingWords(Facing facing) {
-    return facing == Facing::out ? "fronts outside" : "fronts inside";
+    return tr(facing == Facing::out ? "fronts outside" : "fronts inside");
 }
 
 std::string surfaceWords(double radius) {
-    if (radius == 0.0) return "flat";
-    return fmt::format("{} with radius {:.6g} m", radius > 0.0 ? "bulging" : "hollow", std::abs(radius));
+    if (radius == 0.0) return std::string(tr("flat"));
+    return say("{} with radius {:.6g} m", tr(radius > 0.0 ? "bulging" : "hollow"), std::abs(radius));
 }
 
 std::string geometryWords(const Geometry& geometry) {
     return std::visit(
         Overload{
             [](const SegmentShape& s) {
-                return fmt::format("a wall from {} to {}, its front to the left of that way", placeWords(s.a),
-                                   placeWords(s.b));
+                return say("a wall from {} to {}, its front to the left of that way", placeWords(s.a),
+                           placeWords(s.b));
             },
             [](const PolylineShape& s) {
-                return fmt::format("{} walls from point to point: {}; fronts to the left of that way",
-                                   s.points.size() - 1, pointsWords(s.points));
+                return say("{} walls from point to point: {}; fronts to the left of that way",
+                           s.points.size() - 1, pointsWords(s.points));
             },
             [](const PolygonShape& s) {
-                return fmt::format("a closed ring of {} walls: {}; fronts to the left of that way",
-                                   s.points.size(), pointsWords(s.points));
+                return say("a closed ring of {} walls: {}; fronts to the left of that way", s.points.size(),
+                           pointsWords(s.points));
             },
             [](const BoxShape& s) {
-                return fmt::format("a box from {} to {}, {}", placeWords(s.min), placeWords(s.max),
-                                   facingWords(s.facing));
+                return say("a box from {} to {}, {}", placeWords(s.min), placeWords(s.max),
+                           facingWords(s.facing));
             },
             [](const CircleShape& s) {
-                return fmt::format("a {}circle about {} with radius {:.6g} m, of {} walls, {}",
-                                   s.smooth ? "smooth " : "", placeWords(s.center), s.radius, s.segments,
-                                   facingWords(s.facing));
+                return say("a {}circle about {} with radius {:.6g} m, of {} walls, {}",
+                           s.smooth ? tr("smooth ") : "", placeWords(s.center), s.radius, s.segments,
+                           facingWords(s.facing));
             },
             [](const ArcShape& s) {
-                return fmt::format(
+                return say(
                     "an arc about {} with radius {:.6g} m from {:.6g} to {:.6g} degrees, of {} walls, {}",
                     placeWords(s.center), s.radius, s.from, s.to, s.segments, facingWords(s.facing));
             },
             [](const LensShape& s) {
-                return fmt::format(
+                return say(
                     "a lens about {} along {}, {:.6g} m high and {:.6g} m thick, one side {}, the other {}",
                     placeWords(s.center), placeWords(s.axis), s.height, s.thickness, surfaceWords(s.radius.x),
                     surfaceWords(s.radius.y));
@@ -74,25 +75,22 @@ std::string geometryWords(const Geometry& geometry) {
 
 std::string materialKind(const Material& material) {
     return std::visit(
-        Overload{[](const Diffuse& m) { return fmt::format("matt, albedo {}", colourWords(m.albedo)); },
-                 [](const Mirror& m) {
-                     return fmt::format("a mirror, reflectance {}", colourWords(m.reflectance));
-                 },
+        Overload{[](const Diffuse& m) { return say("matt, albedo {}", colourWords(m.albedo)); },
+                 [](const Mirror& m) { return say("a mirror, reflectance {}", colourWords(m.reflectance)); },
                  [](const Glossy& m) {
-                     return fmt::format("glossy, albedo {}, exponent {:.4g}", colourWords(m.albedo),
-                                        m.exponent);
+                     return say("glossy, albedo {}, exponent {:.4g}", colourWords(m.albedo), m.exponent);
                  },
                  [](const Dielectric& m) {
-                     std::string words = fmt::format("glass, index of refraction {:.4g}", m.ior);
+                     std::string words = say("glass, index of refraction {:.4g}", m.ior);
                      if (m.absorption != Rgb(0.0))
-                         words += fmt::format(", absorption {} per metre", colourWords(m.absorption));
+                         words += say(", absorption {} per metre", colourWords(m.absorption));
                      return words;
                  },
                  [](const Mix& m) {
                      const Material specular =
                          std::visit([](const auto& part) { return Material(part); }, m.specular);
-                     return fmt::format("a mix: {:.4g} of {}, the rest of {}", m.weight,
-                                        materialKind(specular), materialKind(m.diffuse));
+                     return say("a mix: {:.4g} of {}, the rest of {}", m.weight, materialKind(specular),
+                                materialKind(m.diffuse));
                  }},
         material);
 }
@@ -104,7 +102,7 @@ std::string placeWords(Vec2 place) {
 }
 
 std::string colourWords(const Rgb& colour) {
-    return isGray(colour) ? shown(colour.x) : fmt::format("{} (red, green, blue)", shown(colour));
+    return isGray(colour) ? shown(colour.x) : say("{} (red, green, blue)", shown(colour));
 }
 
 std::vector<std::string> wallWords(const SceneDescription& scene) {
@@ -112,20 +110,18 @@ std::vector<std::string> wallWords(const SceneDescription& scene) {
     const std::vector<std::string> names = shapeNames(scene.shapes);
     for (std::size_t i = 0; i < std::min(scene.shapes.size(), kMostShapes); ++i) {
         const Shape& shape = scene.shapes[i];
-        std::string line =
-            fmt::format("{}: {}; material {}", names[i], geometryWords(shape.geometry),
-                        shape.material.empty() ? kDefaultMaterial : std::string_view(shape.material));
+        std::string line = say("{}: {}; material {}", names[i], geometryWords(shape.geometry),
+                               shape.material.empty() ? kDefaultMaterial : std::string_view(shape.material));
         if (shape.emission != Rgb(0.0))
-            line += fmt::format("; it shines with radiance {} W/(m rad)", colourWords(shape.emission));
-        if (shape.twoSided) line += "; both sides alike";
+            line += say("; it shines with radiance {} W/(m rad)", colourWords(shape.emission));
+        if (shape.twoSided) line += tr("; both sides alike");
         words.push_back(line);
     }
     if (scene.shapes.size() > kMostShapes) {
         std::uint64_t walls = 0;
         for (std::size_t i = kMostShapes; i < scene.shapes.size(); ++i)
             walls += edgeCount(scene.shapes[i].geometry);
-        words.push_back(
-            fmt::format("and {} more, of {} walls in all", scene.shapes.size() - kMostShapes, walls));
+        words.push_back(say("and {} more, of {} walls in all", scene.shapes.size() - kMostShapes, walls));
     }
     return words;
 }
@@ -149,11 +145,11 @@ std::vector<std::string> lightWords(const SceneDescription& scene) {
     for (const DeltaLight& light : scene.lights)
         words.push_back(std::visit(
             Overload{[](const PointLight& l) {
-                         return fmt::format("a point light at {}, intensity {} W/rad", placeWords(l.position),
-                                            colourWords(l.intensity));
+                         return say("a point light at {}, intensity {} W/rad", placeWords(l.position),
+                                    colourWords(l.intensity));
                      },
                      [](const DirectionalLight& l) {
-                         return fmt::format(
+                         return say(
                              "light from far away that travels along {}, irradiance {} W/m where it falls "
                              "straight on",
                              placeWords(l.direction), colourWords(l.irradiance));
@@ -161,19 +157,19 @@ std::vector<std::string> lightWords(const SceneDescription& scene) {
             light));
     const Environment& sky = scene.environment.light;
     if (sky.radiance == Rgb(0.0))
-        words.emplace_back("the sky is black");
+        words.emplace_back(tr("the sky is black"));
     else if (sky.strip.empty())
-        words.push_back(fmt::format("the sky is even, radiance {} W/(m rad)", colourWords(sky.radiance)));
+        words.push_back(say("the sky is even, radiance {} W/(m rad)", colourWords(sky.radiance)));
     else
-        words.push_back(fmt::format("the sky is a ring of {} equal angles, radiance {} W/(m rad) times each",
-                                    sky.strip.size(), colourWords(sky.radiance)));
+        words.push_back(say("the sky is a ring of {} equal angles, radiance {} W/(m rad) times each",
+                            sky.strip.size(), colourWords(sky.radiance)));
     return words;
 }
 
 std::string eyeWords(const SceneDescription& scene) {
     if (!scene.eye) return {};
-    return fmt::format("The eye is at {}, looks along {}, and sees {:.4g} degrees.",
-                       placeWords(scene.eye->position), placeWords(scene.eye->direction), scene.eye->fov);
+    return say("The eye is at {}, looks along {}, and sees {:.4g} degrees.", placeWords(scene.eye->position),
+               placeWords(scene.eye->direction), scene.eye->fov);
 }
 
 }  // namespace halfdisk

@@ -76,7 +76,8 @@ void readSettings(const Json& json, Settings& settings) {
 AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     AppState state;
     SceneDescription scene;
-    const bool ownScene = json.contains("scene") && json["scene"].is_string();
+    const bool ownScene = json.contains("scene");
+    if (ownScene && !json["scene"].is_string()) failDamaged();
     if (ownScene) scene = parseScene(json["scene"].get<std::string>(), "the shared scene");
     if (json.contains("lesson") && json["lesson"].is_string()) {
         const auto step = static_cast<int>(whole(json, "step", 1, 200));
@@ -100,6 +101,7 @@ AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     if (json.contains("second")) state.makers.second = makerOfJson(json["second"]);
     if (json.contains("equal")) state.makers.equal = named(json, "equal", kBudgets);
     if (json.contains("scale")) state.scale = named(json, "scale", kFieldScales);
+    state.strategiesAlone = json.contains("alone") && json["alone"] == true;
     if (json.contains("run")) state.run = named(json, "run", kRuns);
     state.playback.stepping = json.contains("event");
     state.playback.event = state.playback.stepping ? whole(json, "event", 0, UINT32_MAX) : 0;
@@ -135,6 +137,7 @@ std::string shareText(const AppState& state) {
     if (state.makers.second) json["second"] = jsonOf(*state.makers.second);
     if (state.makers.equal != Budget::rays) json["equal"] = std::string(nameOf(kBudgets, state.makers.equal));
     if (state.scale != FieldScale::light) json["scale"] = std::string(nameOf(kFieldScales, state.scale));
+    if (state.strategiesAlone) json["alone"] = true;
     if (state.run != Run::castRay) json["run"] = std::string(nameOf(kRuns, state.run));
     if (state.playback.stepping) json["event"] = state.playback.event;
     return std::string(kPrefix) + packedText(json.dump());

@@ -37,11 +37,11 @@
 namespace halfdisk {
 
 inline constexpr std::array<Named<EventKind>, 9> kEventKinds{{
-    {EventKind::meet, "meet", "a ray meets a wall, or none"},
     {EventKind::enter, "enter", "a half-disk begins to be gathered"},
     {EventKind::light, "light", "a light, or a point on one, is asked"},
     {EventKind::sample, "sample", "an angle is drawn"},
     {EventKind::direction, "direction", "it is rotated to the normal"},
+    {EventKind::meet, "meet", "a ray meets a wall, or none"},
     {EventKind::arrival, "arrival", "light comes back along the ray"},
     {EventKind::accumulate, "accumulate", "it is weighed and added"},
     {EventKind::average, "average", "the sum is divided by N"},

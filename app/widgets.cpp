@@ -181,8 +181,8 @@ bool combo(WidgetRegistry& registry, const char* label, int& index, std::span<co
     return changed;
 }
 
-bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int least, int most,
-               bool logarithmic, const char* format) {
+bool sliderInt(WidgetRegistry& registry, const char* label, int& value, int least, int most, bool logarithmic,
+               const char* format) {
     const float width = ImGui::CalcItemWidth();
     bool changed;
     {

@@ -63,6 +63,8 @@ struct Receiver {
 
 /// A place of a pixel: draws in (0, 1) where it covers several.
 Receiver startOf(const Sensor& sensor, const SegmentIndex& index, std::uint32_t pixel, double u, double v);
+Receiver startOf(Sensor&& sensor, const SegmentIndex&, std::uint32_t, double, double) = delete;  // it is
+                                                                                                 // kept
 
 /// The same place for all pixels, if the sensor has only one: what light paths can be connected to. Not for
 /// Look.

@@ -66,7 +66,8 @@ struct KeyReader {
         const TomlArray& points = readArray(table.file(), key, value, "an array of points [[x, y], ...]");
         if (points.size() < rule.least)
             failAt(table.file(), value.where,
-                   fmt::format("\"{}\" has {} points, expected at least {}", key, points.size(), rule.least));
+                   fmt::format("\"{}\" has {}, expected at least {}", key, counted(points.size(), "point"),
+                               rule.least));
         for (const TomlValue& point : points)
             field.push_back(readPoint(table.file(), key, point, kCoordinateRule));
     }

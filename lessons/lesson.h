@@ -37,7 +37,8 @@ enum class View : std::uint8_t {
     profile,
     paths,
     samples,
-    difference
+    difference,
+    strategies
 };
 
 /// What a step can unlock for the reader's hand.
@@ -54,7 +55,7 @@ enum class Control : std::uint8_t {
     params
 };
 
-inline constexpr std::array<Named<View>, 17> kViews{{
+inline constexpr std::array<Named<View>, 18> kViews{{
     {View::halfdisk, "halfdisk", "the half-disk over P; with rays, also the sample points on its arc"},
     {View::rays, "rays", "the sample rays, coloured by what they bring back"},
     {View::tree, "tree", "the rays of the recursion, fading with depth"},
@@ -73,6 +74,8 @@ inline constexpr std::array<Named<View>, 17> kViews{{
     {View::samples, "samples", "the list of all samples of the run, with what each brings"},
     {View::difference, "difference",
      "how the eye's strip and the light along P's wall differ from the exact ones"},
+    {View::strategies, "strategies",
+     "every strategy (s, t) of paths from both ends, with its share of the light"},
 }};
 
 inline constexpr std::array<Named<Control>, 10> kControls{{
@@ -126,7 +129,8 @@ struct ViewSet {
 /// Those that show light elsewhere than at P.
 inline constexpr ViewSet kPictureSet = [] {
     ViewSet set;
-    for (const View view : {View::eye, View::field, View::profile, View::paths, View::difference})
+    for (const View view :
+         {View::eye, View::field, View::profile, View::paths, View::difference, View::strategies})
         set.set(view, true);
     return set;
 }();

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "lessons/lesson_file.h"
+#include "lessons/scene_file.h"
 #include "lessons/suggestions.h"
 #include "lessons/utf8.h"
 
@@ -42,6 +43,15 @@ LessonEntry entryOf(const fs::path& path) {
     return entry;
 }
 
+/// A scene may lie beside the lessons.
+bool isScene(const fs::path& path) {
+    try {
+        return !loadScene(path).shapes.empty();
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
 /// Of two lessons with one number or one slug, only the first by file name can be addressed.
 void markClashes(std::vector<LessonEntry>& lessons) {
     for (std::size_t i = 0; i < lessons.size(); ++i)
@@ -68,7 +78,10 @@ std::vector<LessonEntry> listLessons(const fs::path& folder) {
         const fs::path& path = file->path();
         // Editors leave hidden copies beside a file that is being edited.
         const bool hidden = path.filename().string().front() == '.';
-        if (path.extension() == ".toml" && !hidden) lessons.push_back(entryOf(path));
+        if (path.extension() != ".toml" || hidden) continue;
+        LessonEntry entry = entryOf(path);
+        if (entry.error.empty() || parseLessonFileName(path) || !isScene(path))
+            lessons.push_back(std::move(entry));
     }
     std::sort(lessons.begin(), lessons.end(), [](const LessonEntry& a, const LessonEntry& b) {
         const bool aLast = a.number < 0, bLast = b.number < 0;

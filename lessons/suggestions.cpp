@@ -65,7 +65,8 @@ std::string expectedOneOf(std::string_view name, const std::vector<std::string_v
     }
     if (listed < candidates.size()) text += fmt::format(" and {} more", candidates.size() - listed);
     const std::string_view nearest = nearestName(name, candidates);
-    if (!nearest.empty()) text += fmt::format("; did you mean \"{}\"?", nearest);
+    if (!nearest.empty() && excerpt(nearest) != excerpt(name))
+        text += fmt::format("; did you mean \"{}\"?", nearest);
     return text;
 }
 

@@ -50,7 +50,7 @@ class TranslationReader {
                      TextPosition where) const {
         if (found != expected)
             failAt(file_, where,
-                   fmt::format("the translation has {} tables {}, expected {} as in {}", found, what,
+                   fmt::format("the number of {} in the translation is {}, expected {} as in {}", what, found,
                                expected, lesson_.file.filename().string()));
     }
 

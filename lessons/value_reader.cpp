@@ -38,6 +38,10 @@ double checked(const std::string& file, std::string_view key, const TomlValue& v
 
 }  // namespace
 
+std::string counted(std::size_t count, std::string_view what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
 void failAt(const std::string& file, TextPosition where, std::string text) {
     throw InputError(file, where, std::move(text));
 }
@@ -76,7 +80,8 @@ Vec2 readPoint(const std::string& file, std::string_view key, const TomlValue& v
     if (pair == nullptr) wrongType(file, key, value, expected);
     if (pair->size() != 2)
         failAt(file, value.where,
-               fmt::format("\"{}\" has {} elements, expected {}", excerpt(key), pair->size(), expected));
+               fmt::format("\"{}\" has {}, expected {}", excerpt(key), counted(pair->size(), "element"),
+                           expected));
     return {readNumber(file, key, (*pair)[0], rule), readNumber(file, key, (*pair)[1], rule)};
 }
 
@@ -88,8 +93,8 @@ Rgb readColour(const std::string& file, std::string_view key, const TomlValue& v
     if (channels == nullptr) wrongType(file, key, value, "one number or three [red, green, blue]");
     if (channels->size() != 3)
         failAt(file, value.where,
-               fmt::format("\"{}\" has {} elements, expected one number or three [red, green, blue]",
-                           excerpt(key), channels->size()));
+               fmt::format("\"{}\" has {}, expected one number or three [red, green, blue]", excerpt(key),
+                           counted(channels->size(), "element")));
     return {readNumber(file, key, (*channels)[0], rule), readNumber(file, key, (*channels)[1], rule),
             readNumber(file, key, (*channels)[2], rule)};
 }

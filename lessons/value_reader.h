@@ -32,6 +32,9 @@ struct TextRule {
     bool mayBeEmpty = true;
 };
 
+/// `1 point`, `3 points`.
+std::string counted(std::size_t count, std::string_view what);
+
 /// Throws InputError at `where` of the file.
 [[noreturn]] void failAt(const std::string& file, TextPosition where, std::string text);
 

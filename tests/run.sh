@@ -12,7 +12,7 @@ usage: run.sh [--label LABEL] [--sanitize] [--fuzz-seconds S] [-- CTEST-ARGUMENT
   --fuzz-seconds S  how long each fuzz target runs (60)
   --bench           no tests, but the benchmarks, about ten minutes: rays beside Embree and Box2D, and what else is
                     required of speed. --json: for machines; --quick: only whether it runs; --only: these parts of
-                    rays, build, estimators, threads, cancel, overhead, observer, splat, frame
+                    rays, build, estimators, threads, cancel, overhead, observer, splat, frame, first
 
 Without --sanitize, and unless a label excludes them, the fuzz targets are built in build-fuzz/ and run as well.
 EOF

@@ -37,24 +37,7 @@ constexpr std::array kParams{
 class BidirectionalEstimator : public Estimator {
  public:
     BidirectionalEstimator(const Problem& problem, const ParamValues& params)
-        : setup_{.problem = problem,
-                 .lights = LightTable(problem.index, placesOf(problem.sensor)),
-                 .bins = {},
-                 .onlyS = static_cast<int>(params[kLightVertices]),
-                 .onlyT = static_cast<int>(params[kSensorVertices]),
-                 .weighs = params[kWeights] > 0.0,
-                 .heuristic = as<Heuristic>(params[kHeuristic]),
-                 .counts = {},
-                 .limits = {mostScatterings(problem), problem.maxSpecular,
-                            as<std::uint32_t>(params[kRoulette])}} {
-        const double paths = pixelCount(problem.sensor);
-        if (std::holds_alternative<EyeStrip>(problem.sensor)) setup_.counts.lightConnected = paths;
-        if (std::holds_alternative<Look>(problem.sensor)) setup_.counts.lightConnected = 0.0;
-        if (const auto* profile = std::get_if<Profile>(&problem.sensor)) {
-            setup_.bins.emplace(*profile, problem.index);
-            setup_.counts.lightAlone = paths;
-        }
-    }
+        : setup_(joinSetupOf(problem, params)) {}
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
         joinPaths(setup_, pass, picture, counts);
@@ -84,6 +67,27 @@ std::string refusal(const Problem& problem, const ParamValues&) {
 }
 
 }  // namespace
+
+JoinSetup joinSetupOf(const Problem& problem, const ParamValues& params) {
+    JoinSetup setup{
+        .problem = problem,
+        .lights = LightTable(problem.index, placesOf(problem.sensor)),
+        .bins = {},
+        .onlyS = static_cast<int>(params[kLightVertices]),
+        .onlyT = static_cast<int>(params[kSensorVertices]),
+        .weighs = params[kWeights] > 0.0,
+        .heuristic = as<Heuristic>(params[kHeuristic]),
+        .counts = {},
+        .limits = {mostScatterings(problem), problem.maxSpecular, as<std::uint32_t>(params[kRoulette])}};
+    const double paths = pixelCount(problem.sensor);
+    if (std::holds_alternative<EyeStrip>(problem.sensor)) setup.counts.lightConnected = paths;
+    if (std::holds_alternative<Look>(problem.sensor)) setup.counts.lightConnected = 0.0;
+    if (const auto* profile = std::get_if<Profile>(&problem.sensor)) {
+        setup.bins.emplace(*profile, problem.index);
+        setup.counts.lightAlone = paths;
+    }
+    return setup;
+}
 
 const EstimatorInfo kBidirectionalEstimator{
     .id = "bidirectional",

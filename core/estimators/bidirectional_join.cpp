@@ -33,10 +33,11 @@ LightEnd endOf(const SegmentIndex& index, const DrawnLight& drawn, Vec2 from, st
 /// All strategies of one pair of subpaths, pair after pair in the same memory.
 class Join {
  public:
-    Join(const JoinSetup& setup, Picture& picture, Counts& counts)
+    Join(const JoinSetup& setup, Picture& picture, Counts& counts, StrategyPictures* apart)
         : all_(setup),
           index_(setup.problem.index),
           see_(setup.problem.record),
+          apart_(apart),
           picture_(picture),
           counts_(counts) {}
 
@@ -127,16 +128,17 @@ class Join {
             weight = WholePath(all_.lights, end, inner, at, pdfReceiver)
                          .weight(joint.s, all_.counts, all_.heuristic);
         addTo(picture_, at.pixel, value * weight, counts_);
-        tell(joint, weight, value * weight);
+        tell(joint, at.pixel, weight, value);
     }
     // [end]
 
-    void tell(const Joint& joint, double weight, const Rgb& value) {
-        if (!see_) return;
+    void tell(const Joint& joint, std::uint32_t pixel, double weight, const Rgb& value) {
+        if (!see_ && !apart_) return;
         const auto s = static_cast<std::uint32_t>(joint.s), t = static_cast<std::uint32_t>(joint.t);
-        see_->joined(joint.from, joint.to, s, t, weight > 0.0, weight, value, joint.where);
+        if (apart_) apart_->add({s, t}, pixel, value, weight);
+        if (see_) see_->joined(joint.from, joint.to, s, t, weight > 0.0, weight, value * weight, joint.where);
     }
-    void tellBlocked(const Joint& joint) { tell(joint, 0.0, Rgb(0.0)); }
+    void tellBlocked(const Joint& joint) { tell(joint, 0, 0.0, Rgb(0.0)); }
     static Vec2 placeOf(const DrawnLight& drawn, Vec2 seenFrom) {
         return seenFrom + drawn.L * (std::isinf(drawn.distance) ? 1.0 : drawn.distance);
     }
@@ -257,7 +259,8 @@ class Join {
 
     const JoinSetup& all_;
     const SegmentIndex& index_;
-    PathRecorder* see_;  // may be null
+    PathRecorder* see_;        // may be null
+    StrategyPictures* apart_;  // may be null
     Picture& picture_;
     Counts& counts_;
     Receiver receiver_;
@@ -268,8 +271,9 @@ class Join {
 
 }  // namespace
 
-void joinPaths(const JoinSetup& setup, std::uint64_t pass, Picture& picture, Counts& counts) {
-    Join join(setup, picture, counts);
+void joinPaths(const JoinSetup& setup, std::uint64_t pass, Picture& picture, Counts& counts,
+               StrategyPictures* apart) {
+    Join join(setup, picture, counts, apart);
     for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
         throwIfStopped(setup.problem.stop, pixel);
         join.run(pixel, Rng(setup.problem.seed, pass).child(pixel));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/estimator.h"
+#include "core/strategies.h"
 #include "core/subpath.h"
 
 namespace halfdisk {
@@ -24,8 +25,12 @@ struct JoinSetup {
     }
 };
 
-/// For every pixel: follows one path from each end and adds what all strategies find to the picture. Throws
-/// Stopped if the problem's question says so.
-void joinPaths(const JoinSetup& setup, std::uint64_t pass, Picture& picture, Counts& counts);
+/// By the parameters of estimator `bidirectional`.
+JoinSetup joinSetupOf(const Problem& problem, const ParamValues& params);
+
+/// For every pixel: follows one path from each end and adds what all strategies find to the picture, and what
+/// each of them finds to `apart`, if that is not null. Throws Stopped if the problem's question says so.
+void joinPaths(const JoinSetup& setup, std::uint64_t pass, Picture& picture, Counts& counts,
+               StrategyPictures* apart = nullptr);
 
 }  // namespace halfdisk

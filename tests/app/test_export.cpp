@@ -30,7 +30,7 @@ AppState richState() {
     apply(state, EditScene{scene, std::nullopt, false});
     for (const View view :
          {View::halfdisk, View::rays, View::tree, View::integrand, View::error, View::histogram, View::exact,
-          View::numbers, View::grid, View::eye, View::field, View::profile})
+          View::numbers, View::grid, View::eye, View::field, View::profile, View::strategies})
         apply(state, SetView{view, true});
     apply(state, SetView{View::code, false});
     Settings settings = state.settings;
@@ -115,7 +115,7 @@ TEST_CASE("export: every drawing is well-formed XML, and its words are those of 
             for (const std::string& used : xml.uses)
                 CHECK(std::count(xml.ids.begin(), xml.ids.end(), used) == 1);
             const std::string name = file.name.substr(0, file.name.find('.'));
-            const bool onStage = name == "canvas" || name == "eye" || name == "profile";
+            const bool onStage = name == "canvas" || name == "eye" || name == "strategies";
             const std::string window = onStage ? "Stage" : "Controls";
             const Widget& widget =
                 rig.driver.get(fmt::format("{}/{}", window, name == "eye" ? "eye strip" : name));
@@ -123,7 +123,7 @@ TEST_CASE("export: every drawing is well-formed XML, and its words are those of 
             CHECK_FALSE(seen.empty());
             CHECK(std::multiset<std::string>(xml.texts.begin(), xml.texts.end()) == seen);
         }
-        CHECK(drawings == 6);
+        CHECK(drawings == 7);
         if (!odd) continue;
         CHECK(readXml(*fileOf(files, "profile.svg")).texts[0] ==
               fmt::format("Light along \"{}.0\"", kOddName));
@@ -201,6 +201,12 @@ TEST_CASE("export: the tables hold the light's own numbers") {
             CHECK(number(table[i + 1][column(table, "errorG")]) == pixels[i].standardError().y);
         }
     }
+    const auto strategies = tableOf(files, "strategies.csv");
+    double shares = 0.0;
+    for (std::size_t i = 1; i < strategies.size(); ++i)
+        if (strategies[i][column(strategies, "place")].empty())
+            shares += number(strategies[i][column(strategies, "share")]);
+    CHECK(shares == doctest::Approx(100.0));  // depth 1: none is too long
     const auto field = tableOf(files, "field.csv");
     const Field& grid = std::get<Field>(answer.pictures.field->sensor);
     CHECK(number(field[1][column(field, "x")]) > grid.min.x);

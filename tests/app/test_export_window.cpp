@@ -47,6 +47,18 @@ TEST_CASE("export: a click writes a new folder each time, once the light is comp
     CHECK_FALSE(fs::exists(folder.folder / "halfdisk-controls-1_3"));
 }
 
+TEST_CASE("export: a folder that is used again keeps nothing of an earlier export, and all that is not one") {
+    const LessonsCopy folder;
+    const fs::path used = folder.folder / "used";
+    fs::create_directory(used);
+    writeExport(used, {{"eye.csv", "old"}, {"eye.svg", "old"}, {"state.txt", "old"}, {"mine.txt", "mine"}});
+    writeExport(used, {{"state.txt", "new"}});
+    CHECK_FALSE(fs::exists(used / "eye.csv"));
+    CHECK_FALSE(fs::exists(used / "eye.svg"));
+    CHECK(fs::exists(used / "mine.txt"));
+    CHECK(filesIn(used) == 2);
+}
+
 TEST_CASE("export: while the light is not complete nothing is written, and the bar tells how far it is") {
     const LessonsCopy folder;
     Rig rig("controls:1");

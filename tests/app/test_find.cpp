@@ -153,6 +153,12 @@ TEST_CASE("letters are found in their order, starts of words and runs first") {
     CHECK_FALSE(fuzzyScore("\u03b8", "theta"));
 }
 
+TEST_CASE("a whole word comes before a part of one, wherever they stand") {
+    const FuzzyQuery query("samples");
+    CHECK(*fuzzyScore(query, "Show samples: the list") > *fuzzyScore(query, "Sampler: stratified"));
+    CHECK(*fuzzyScore(query, "the samples") > *fuzzyScore(query, "the samplesque"));
+}
+
 TEST_CASE("the letters that were met are told, the best way to meet them") {
     CHECK(fuzzyPlaces("st", "last step") == std::vector<std::size_t>{5, 6});
     CHECK(fuzzyPlaces("\u03b8x", "a \u03b8 x") == std::vector<std::size_t>{2, 5});

@@ -151,7 +151,9 @@ TEST_CASE("ways of light are drawn and counted") {
     CHECK(showsText(rig, "2000 paths of light followed"));
 }
 
-TEST_CASE("two at equal rays have as many, two at equal time take as long, and the second kind is told in seconds") {
+TEST_CASE(
+    "two at equal rays have as many, two at equal time take as long, and the second kind is told in "
+    "seconds") {
     Rig rig(kEstimatorStep);
     rig.driver.click("Controls/Compare");
     rig.settle();
@@ -174,7 +176,8 @@ TEST_CASE("two at equal rays have as many, two at equal time take as long, and t
     CHECK(showsText(rig, " s\n"));
 }
 
-TEST_CASE("where differences are shown the error stands beside the noise, and both agree for an unbiased one") {
+TEST_CASE(
+    "where differences are shown the error stands beside the noise, and both agree for an unbiased one") {
     Rig rig("controls:1");
     rig.apply(UnlockAll{true});
     rig.apply(SetView{View::profile, true});

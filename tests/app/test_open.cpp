@@ -112,7 +112,7 @@ TEST_CASE("hostile paths are harmless") {
           std::string("/dev/"), std::string("../../../../../"), std::string("a\0b/", 4), std::string()}) {
         rig.apply(SetFilePath{path});
         rig.driver.frames(2);
-        CHECK(choicesOf(rig.state().files).size() <= kMostListed + kMostRecent);
+        CHECK(choicesOf(rig.state().files).size() <= kMostFilesListed + kMostRecent);
     }
     rig.apply(SelectFile{SIZE_MAX});
     rig.driver.frames(2);

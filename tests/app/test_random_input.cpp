@@ -169,7 +169,7 @@ Command randomEditing(Dice& dice, const AppState& state) {
 
 Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::filesystem::path>& files) {
     const auto walls = static_cast<std::uint32_t>(state.scene->scene.segments.size());
-    switch (dice.below(38)) {
+    switch (dice.below(39)) {
         case 20:
         case 21:
         case 22:
@@ -198,6 +198,8 @@ Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::
             return dice.once(2) ? Command(ExportSeen{}) : Command(DismissNotice{});
         case 37:
             return ShowSample{dice.below(100'000)};
+        case 38:
+            return WeighStrategies{dice.once(2)};
         case 26:
             return ShowPalette{dice.once(2)};
         case 27:

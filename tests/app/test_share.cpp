@@ -25,7 +25,8 @@ AppState changedState() {
     apply(state, SetView{View::histogram, true});
     Maker photons = makerOf("photon-map");
     photons.params[1] = 0.1;
-    apply(state, SetMakers{{photons, makerOf("path")}});
+    apply(state, SetMakers{{photons, makerOf("path"), Budget::time}});
+    apply(state, SetView{View::difference, true});
     return state;
 }
 

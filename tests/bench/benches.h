@@ -37,4 +37,8 @@ void benchObserver(Report& report, Effort effort);
 /// the walls of each lesson's scene with N = 64 and maxDepth = 2.
 void benchFrame(Report& report, Effort effort);
 
+/// Wall time from a change of the seed until the first answer, and until the first picture of each kind, at
+/// every step of every lesson.
+void benchFirst(Report& report, Effort effort);
+
 }  // namespace halfdisk

@@ -19,6 +19,7 @@ constexpr std::array kParts{
     Part{"rays", benchIndex},        Part{"build", benchBuild},   Part{"estimators", benchEstimators},
     Part{"threads", benchThreads},   Part{"cancel", benchCancel}, Part{"overhead", benchOverhead},
     Part{"observer", benchObserver}, Part{"splat", benchSplat},   Part{"frame", benchFrame},
+    Part{"first", benchFirst},
 };
 
 int refuse(const std::string& why) {

@@ -39,6 +39,7 @@ inline constexpr double kSpeedupOnTwoCores = 1.9;
 inline constexpr double kOverheadNanoseconds = 60.0;  ///< per ray of castRay beyond the index, at most
 inline constexpr double kCancelMilliseconds = 20.0;
 inline constexpr double kFrameMilliseconds = 8.0;
+inline constexpr double kFirstMilliseconds = 50.0;
 inline constexpr double kObserverRatio = 1.02;
 
 inline std::optional<double> requiredRatio(const QueryInfo& query, std::size_t size, bool clustered) {

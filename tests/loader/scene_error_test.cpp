@@ -115,7 +115,7 @@ TEST_CASE("shapes without a front are refused") {
         {"[[polyline]]\npoints = [[0, 0], [1, 0], ^[1, 0], [2, 0]]", {"zero length"}},
         {"[[polygon]]\npoints = [[0, 0], ^[0, 0], [1, 1]]", {"zero length"}},
         {"[[polygon]]\npoints = [[0, 0], [1, 0], [1, 1], ^[0, 0]]", {"zero length", "closes by itself"}},
-        {"[[polyline]]\npoints = ^[[0, 0]]", {"has 1 points", "at least 2"}},
+        {"[[polyline]]\npoints = ^[[0, 0]]", {"has 1 point,", "at least 2"}},
         {"[[polygon]]\npoints = ^[[0, 0], [1, 0]]", {"has 2 points", "at least 3"}},
         {"[[polygon]]\npoints = ^[]", {"has 0 points"}},
         {"[[box]]\nmin = [0, 0]\nmax = ^[0, 1]", {"\"max\" is [0, 1]", "more than \"min\""}},

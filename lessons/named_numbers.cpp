@@ -96,13 +96,13 @@ class ReferenceReader {
                 result += "\\\\";
                 at += 2;
             } else if (c == '}') {
-                fail(at, "} closes nothing, expected \\} for the character itself");
+                fail(at, fmt::format("{} closes nothing, expected \\{} for the character itself", "}", "}"));
             } else if (c == '{') {
                 const std::size_t end = text_.find_first_of("{}\n", at + 1);
                 if (end == std::string_view::npos || text_[end] != '}')
-                    fail(at,
-                         "{ is never closed, expected } in the same line (write \\{ for the character "
-                         "itself)");
+                    fail(at, fmt::format("{} is never closed, expected {} in the same line (write \\{} for "
+                                         "the character itself)",
+                                         "{", "}", "{"));
                 result += reference(at, text_.substr(at + 1, end - at - 1));
                 at = end + 1;
             } else {
@@ -127,18 +127,24 @@ class ReferenceReader {
         if (found == numbers_.all.end()) {
             std::vector<std::string_view> names;
             for (const NamedNumber& number : numbers_.all) names.push_back(number.name);
-            fail(at, fmt::format("{{{}}} names no claim, {}", excerpt(name),
-                                 names.empty() ? "expected a [[step.claim]] with that \"name\" in the lesson"
-                                               : expectedOneOf(name, names)));
+            const std::string written = fmt::format("{{{}}}", excerpt(name));
+            fail(at,
+                 names.empty()
+                     ? fmt::format(
+                           "{} names no claim, expected a [[step.claim]] with that \"name\" in the lesson",
+                           written)
+                     : fmt::format("{} names no claim, {}", written, expectedOneOf(name, names)));
         }
         NumberFormat format;
         if (colon != std::string_view::npos) {
             const auto parsed = parseFormat(inner.substr(colon + 1));
             if (!parsed)
-                fail(at, fmt::format(
-                             "{{{0}}} has no format that is known, expected {{{1}}}, {{{1}:2}} (digits "
-                             "after the point), {{{1}:%}}, {{{1}:1%}} or {{{1}:1-%}} (what it lacks to 1)",
-                             excerpt(inner), name));
+                fail(at,
+                     fmt::format(
+                         "{} has no format that is known, expected one of {}",
+                         fmt::format("{{{}}}", excerpt(inner)),
+                         fmt::format("{{{0}}}, {{{0}:2}}, {{{0}:%}}, {{{0}:1%}}, {{{0}:100}}, {{{0}:1-%}}",
+                                     name)));
             format = *parsed;
         }
         return numberText(found->value, format, numbers_.decimalPoint);

@@ -65,10 +65,12 @@ struct AppState {
     WallPoint at;
     Playback playback;
     PlaySpeed speed = PlaySpeed::usual;
-    Run run = Run::castRay;  ///< that is stepped through
+    Run run = Run::castRay;                    ///< that is stepped through; see shownRun
+    std::optional<std::uint32_t> pinnedPixel;  ///< of the eye's strip: the run is about it, not about P
     FieldScale scale = FieldScale::light;
     std::optional<std::size_t> shownSample;                ///< of the list, under the pointer: its step
     std::optional<std::pair<double, double>> sampleRange;  ///< W/m: the list shows only what adds so much
+    bool largestFirst = false;                             ///< the list, instead of as they came
     ViewSet show;
     bool strategiesAlone = false;  ///< each strategy (s, t) counts whole; else by its weight
     Makers makers;                 ///< of the pictures
@@ -119,6 +121,14 @@ struct AppState {
         for (const View view : {View::field, View::eye, View::profile})
             if (shows(view)) return view;
         return std::nullopt;
+    }
+    /// castRay gathers over half-disks, which an eye has not: a pixel's run is then that of the estimator
+    /// which makes the strip, or of path if that one is not recorded.
+    Run shownRun() const {
+        if (!pinnedPixel || run != Run::castRay) return run;
+        const auto made =
+            makers.first ? valueOf(kRuns, std::string_view(makers.first->estimator)) : std::nullopt;
+        return made && *made != Run::castRay ? *made : Run::path;
     }
     /// Of the run that is stepped through.
     std::size_t eventCount() const {

@@ -228,11 +228,13 @@ float legendRow(const Canvas& canvas, int row) {
 
 void drawGaze(const Canvas& canvas) {
     const AppState& state = canvas.ui.state;
-    if (!state.shows(View::eye) || !state.eyePixel || !state.answer || !state.answer->pictures.eye) return;
+    // A pinned pixel's own paths say it, where they are drawn.
+    const auto pixel = state.eyePixel || state.shows(View::rays) ? state.eyePixel : state.pinnedPixel;
+    if (!state.shows(View::eye) || !pixel || !state.answer || !state.answer->pictures.eye) return;
     const SegmentIndex& index = state.scene->index;
     const Sensor& strip = state.answer->pictures.eye->sensor;
-    if (*state.eyePixel >= pixelCount(strip)) return;
-    Ray ray = sightFrom(startOf(strip, index, *state.eyePixel, 0.5, 0.5), index, 0.5).ray;
+    if (*pixel >= pixelCount(strip)) return;
+    Ray ray = sightFrom(startOf(strip, index, *pixel, 0.5, 0.5), index, 0.5).ray;
     // On by mirrors and through glass, to what is really seen. Of glass, what it lets through.
     constexpr std::uint32_t kMostSpeculars = 16;
     for (std::uint32_t speculars = 0; speculars <= kMostSpeculars; ++speculars) {

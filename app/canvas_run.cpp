@@ -68,7 +68,8 @@ void drawPassed(const Canvas& canvas, const PathEvent& event, bool current) {
         case PathEventKind::asked:
         case PathEventKind::joined: {
             const ImU32 color = event.visible ? palette.shadowRayClear : palette.shadowRayBlocked;
-            if (event.visible || current)
+            // One that was asked for nothing says nothing.
+            if ((event.visible && event.weight > 0.0) || current)
                 canvas.line(event.from, endOf(canvas, event), withOpacity(color, 0.6f * opacity),
                             0.6f * thickness);
             break;
@@ -117,7 +118,7 @@ void drawNow(const Canvas& canvas, const PathEvent& event) {
 /// Paths that belong to the step: its own, and of two that are joined also the one before.
 bool belongs(const AppState& state, const PathEvent& event, const PathEvent& now) {
     if (event.path == now.path) return true;
-    return state.run == Run::bidirectional && event.path / 2 == now.path / 2;
+    return state.answer->asked.run == Run::bidirectional && event.path / 2 == now.path / 2;
 }
 
 }  // namespace

@@ -37,9 +37,36 @@ void lightUpSources(const Canvas& canvas) {
 
 }  // namespace
 
+namespace {
+
+/// All that one path, or both of a pair, flew and found.
+void drawShownPath(const Canvas& canvas, const LightAnswer& answer, std::size_t passed) {
+    const auto& events = answer.pathRun->record.events;
+    if (passed == 0 || passed > events.size()) return;
+    const auto numberOf = [&](const PathEvent& event) {
+        return answer.asked.run == Run::bidirectional ? event.path / 2 : event.path;
+    };
+    constexpr std::size_t kMostEvents = 4000;
+    const std::uint32_t number = numberOf(events[passed - 1]);
+    for (std::size_t i = passed, seen = 0; i-- > 0 && seen < kMostEvents; ++seen) {
+        if (numberOf(events[i]) < number) break;
+        if (numberOf(events[i]) != number) continue;
+        const PathEvent& event = events[i];
+        const bool joins = event.kind == PathEventKind::asked || event.kind == PathEventKind::joined;
+        if (event.kind != PathEventKind::fly && !(joins && event.value != Rgb(0.0))) continue;
+        const Vec2 to = event.missed ? canvas.farAlong(event.from, event.to - event.from) : event.to;
+        canvas.line(event.from, to, canvas.ui.palette.panel, canvas.px(joins ? 3.0f : 6.0f));
+        canvas.line(event.from, to, canvas.ui.palette.accent, canvas.px(joins ? 1.6f : 4.0f));
+    }
+}
+
+}  // namespace
+
 void drawShownSample(const Canvas& canvas) {
     const AppState& state = canvas.ui.state;
-    if (!state.shownSample || !state.answer || !state.answer->record || state.answer->pathRun) return;
+    if (!state.shownSample || !state.answer) return;
+    if (state.answer->pathRun) return drawShownPath(canvas, *state.answer, *state.shownSample);
+    if (!state.answer->record) return;
     const auto& events = state.answer->record->events;
     const std::size_t passed = *state.shownSample;
     if (passed == 0 || passed > events.size()) return;

@@ -20,10 +20,10 @@ namespace {
 void chooseRun(const Ui& ui) {
     const AppState& state = ui.state;
     const bool free = state.isUnlocked(Control::step);
-    if (!free && state.run == Run::castRay) return;
+    if (!free && state.shownRun() == Run::castRay) return;
     ImGui::PushItemWidth(textSize("bidirectional").x + 1.5f * ImGui::GetFrameHeight());
     ImGui::BeginDisabled(!free);
-    Run run = state.run;
+    Run run = state.shownRun();
     if (choose(ui, "##run", kRuns, run)) ui.commands.push_back(SetRun{run});
     ImGui::EndDisabled();
     ImGui::PopItemWidth();
@@ -97,9 +97,9 @@ void stepWords(const Ui& ui) {
         textWrapped(ui.widgets, "Press Step to walk through this run.");
         ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
         const bool printed = ui.state.settings.defects != DefectSet{};
-        textWrapped(ui.widgets, ui.state.run != Run::castRay ? "its source, as compiled"
-                                : printed                    ? "core/as_printed.h, as compiled"
-                                                             : "core/cast_ray.h, as compiled");
+        textWrapped(ui.widgets, ui.state.shownRun() != Run::castRay ? "its source, as compiled"
+                                : printed                           ? "core/as_printed.h, as compiled"
+                                                                    : "core/cast_ray.h, as compiled");
         ImGui::PopStyleColor();
     } else {
         textWrapped(ui.widgets, fmt::format("{}: {}", words.where, words.what));
@@ -206,7 +206,8 @@ namespace {
 /// What runs: castRay, its printed twin, or another estimator.
 const Listing& listingOf(const Ui& ui) {
     const AppState& state = ui.state;
-    if (state.run != Run::castRay) return ui.listings.runs[static_cast<std::size_t>(state.run)];
+    if (const Run run = state.shownRun(); run != Run::castRay)
+        return ui.listings.runs[static_cast<std::size_t>(run)];
     return state.settings.defects != DefectSet{} ? ui.listings.asPrinted : ui.listings.corrected;
 }
 
@@ -214,7 +215,7 @@ const Listing& listingOf(const Ui& ui) {
 int litLine(const AppState& state, const Listing& listing) {
     if (const PathEvent* event = currentPathEvent(state)) return lineOf(listing, event->where);
     const Event* event = currentEvent(state);
-    if (!event || state.run != Run::castRay) return -1;
+    if (!event || state.shownRun() != Run::castRay) return -1;
     const int number = listingLine(event->kind);
     const auto found = std::find_if(listing.begin(), listing.end(),
                                     [&](const ListingLine& line) { return line.number == number; });

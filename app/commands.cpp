@@ -60,11 +60,24 @@ void jumpToSource(AppState& state, const JumpToSource& jump) {
     }
 }
 
+/// The list comes with it, and goes again where the step has none.
+void pinPixel(AppState& state, const PinPixel& pin) {
+    if (pin.pixel == state.pinnedPixel || (pin.pixel && !canPin(state, *pin.pixel))) return;
+    state.pinnedPixel = pin.pixel;
+    state.sampleRange.reset();
+    const Step* step = state.currentStep();
+    const bool listed = !step || state.unlockAll || step->show.has(View::samples);
+    if (pin.pixel || !listed)
+        state.show.set(View::samples, pin.pixel && !state.rules.hidden.has(View::samples));
+    askAnew(state);
+}
+
 void setView(AppState& state, const SetView& set) {
     if (set.on && state.rules.hidden.has(set.view)) return;
     const bool picture = kPictureSet.has(set.view);
     if (picture && set.on && !state.shows(set.view)) ++state.questionId;  // the run and its playback stay
     if (set.view == View::eye) state.eyePixel.reset();
+    if (set.view == View::eye && !set.on) pinPixel(state, {});
     state.show.set(set.view, set.on);
 }
 
@@ -145,9 +158,12 @@ void applyUnchecked(AppState& state, const Command& command) {
                 state.run = c.run;
                 askAnew(state);
             },
+            [&](SortSamples c) { state.largestFirst = c.largestFirst; },
             [&](const SetMakers& c) {
                 if (state.makers == c.makers) return;
+                const Run before = state.shownRun();
                 state.makers = c.makers;
+                if (state.shownRun() != before) askAnew(state);
                 ++state.questionId;  // the run and its playback stay
             },
             [&](WeighStrategies c) { state.strategiesAlone = c.alone; },
@@ -177,6 +193,7 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](const MovePoint& c) {
                 if (state.at == c.at || c.at.segment >= state.scene->scene.segments.size()) return;
                 state.at = {c.at.segment, std::clamp(c.at.t, 0.0, 1.0)};
+                pinPixel(state, {});  // who moves P wants to see it
                 askAnew(state);
             },
             [&](SetEvent c) {
@@ -207,6 +224,7 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](SetUiScale c) { state.uiScale = std::clamp(c.scale, 0.5f, 4.0f); },
             [&](SetView c) { setView(state, c); },
             [&](LookAlong c) { state.eyePixel = c.pixel; },
+            [&](const PinPixel& c) { pinPixel(state, c); },
             [&](ShowPane c) { state.pane = c.pane; },
             [&](HideCanvas c) { state.canvasHidden = c.hidden; },
             [&](RevealAnswer) { state.answerShown = true; },
@@ -240,6 +258,10 @@ void applyUnchecked(AppState& state, const Command& command) {
 }
 
 }  // namespace
+
+bool canPin(const AppState& state, std::uint32_t pixel) {
+    return state.shows(View::eye) && state.scene->scene.eye && pixel < kEyeStripPixels;
+}
 
 bool isForbidden(const AppState& state, const Command& command) {
     if (!state.rules.kiosk) return false;

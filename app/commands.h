@@ -44,6 +44,9 @@ struct ShowSample {
 struct FilterSamples {
     std::optional<std::pair<double, double>> range;  ///< W/m, of the contribution; none: all
 };
+struct SortSamples {
+    bool largestFirst;
+};
 struct SetMakers {
     Makers makers;
 };
@@ -145,6 +148,9 @@ struct SetView {
 struct LookAlong {
     std::optional<std::uint32_t> pixel;  ///< of the eye's strip
 };
+struct PinPixel {
+    std::optional<std::uint32_t> pixel;  ///< of the eye's strip: the run becomes its own; none: back to P
+};
 struct ShowPane {
     Pane pane;
 };
@@ -191,14 +197,14 @@ struct DismissNotice {};  ///< and no export any more
 
 using AnyCommand =
     std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, CopyState, Reload,
-                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SetMakers, WeighStrategies,
-                 SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew, MoveSelected,
-                 SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath,
-                 SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, SetSpeed,
-                 TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong,
-                 ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage,
-                 ToggleHelp, ShowPalette, SetQuery, SelectEntry, ShowFiles, SetFilePath, SelectFile,
-                 DismissBanner, ExportSeen, DismissNotice>;
+                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SortSamples, SetMakers,
+                 WeighStrategies, SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew,
+                 MoveSelected, SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo,
+                 SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource,
+                 ShowWholeRun, SetSpeed, TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale,
+                 SetView, LookAlong, PinPixel, ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve,
+                 EndStroke, LightTopic, SetLanguage, ToggleHelp, ShowPalette, SetQuery, SelectEntry,
+                 ShowFiles, SetFilePath, SelectFile, DismissBanner, ExportSeen, DismissNotice>;
 /// Its special members are compiled once, in commands.cpp: instantiated in every panel they were a third of
 /// the build's time.
 struct Command : AnyCommand {
@@ -210,6 +216,9 @@ struct Command : AnyCommand {
     ~Command();
 };
 using Commands = std::vector<Command>;
+
+/// Whether the eye's strip is shown and has such a pixel.
+bool canPin(const AppState& state, std::uint32_t pixel);
 
 /// What a class may not do on a machine that stands for all: it does nothing.
 bool isForbidden(const AppState& state, const Command& command);

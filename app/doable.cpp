@@ -107,6 +107,7 @@ std::vector<Doable> doables(const AppState& state) {
     screen(offer);
     lessons(offer);
     walls(offer);
+    offerPixels(offer);
     return std::move(offer.all);
 }
 

@@ -23,6 +23,7 @@ void show(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     Editing& editing = state.editing;
     editing.selected = existing(state.scene->description, editing.selected);
     state.eyePixel.reset();
+    state.pinnedPixel.reset();
     state.editing.message.clear();
     ++state.questionId;
     state.playback = {};
@@ -82,6 +83,7 @@ void replaceScene(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     editing.start.reset();
     editing.message = std::move(message);
     state.scene = std::move(scene);
+    state.pinnedPixel.reset();
 }
 
 void editScene(AppState& state, const EditScene& edit) {

@@ -76,6 +76,15 @@ void drawColors(const Ui& ui, const std::vector<std::uint32_t>& colors, ImVec2 m
     if (list.drawing) list.drawing->cells(min, max, colors, static_cast<std::uint32_t>(colors.size()), 1.0f);
     for (std::size_t i = 0; i < colors.size(); ++i)
         list.screen.AddRectFilled({edge(i), min.y}, {edge(i + 1), max.y}, colors[i]);
+    if (const auto pinned = ui.state.pinnedPixel; pinned && *pinned < colors.size()) {
+        const float left = edge(*pinned) - 2 * ui.scale, right = edge(*pinned + 1) + 2 * ui.scale;
+        const float middle = (left + right) / 2, head = 6 * ui.scale;
+        list.AddRect({left - ui.scale, min.y}, {right + ui.scale, max.y}, ui.palette.panel, 0.0f,
+                     ImDrawFlags_None, 4 * ui.scale);
+        list.AddRect({left, min.y}, {right, max.y}, ui.palette.point, 0.0f, ImDrawFlags_None, 2 * ui.scale);
+        list.AddTriangleFilled({middle - head, min.y - head}, {middle + head, min.y - head},
+                               {middle, min.y + head}, ui.palette.point);
+    }
     if (!ui.state.eyePixel || *ui.state.eyePixel >= colors.size()) return;
     list.AddRect({edge(*ui.state.eyePixel) - 2 * ui.scale, min.y},
                  {edge(*ui.state.eyePixel + 1) + 2 * ui.scale, max.y}, ui.palette.accent, 0.0f,
@@ -90,10 +99,12 @@ std::optional<std::uint32_t> pointed(const Ui& ui, const LightPicture* picture, 
     const float share = (ImGui::GetIO().MousePos.x - place.min.x) / (place.max.x - place.min.x);
     const auto pixel = static_cast<std::uint32_t>(std::clamp(share * count, 0.0f, count - 1.0f));
     const Statistics& value = picture->film.pixels[pixel];
-    std::string words = say("L = {} \u00b1 {:.1g} W/(m rad)\n{} passes", shown(value.mean),
+    std::string words = say("pixel {}: L = {} \u00b1 {:.1g} W/(m rad)\n{} passes", pixel, shown(value.mean),
                             gray(value.standardError()), picture->film.passes);
     const auto& exact = ui.state.answer->exactPictures[side].eye;
     if (exact && pixel < exact->size()) words += say("\nexactly {} W/(m rad)", shown((*exact)[pixel]));
+    words += fmt::format(
+        "\n{}", tr(ui.state.pinnedPixel == pixel ? "click: back to P" : "click: every path of this pixel"));
     tooltip(words);
     return pixel;
 }
@@ -110,10 +121,12 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, std::size_t s
     const LightPicture* picture = row.picture && !row.picture->colors.empty() ? row.picture : nullptr;
     const bool withDifference = hasExactRow(ui.state);
     const ImVec2 origin = ImGui::GetCursorScreenPos(), size{width, rowHeight(ui, withDifference)};
-    ImGui::InvisibleButton(row.name, size);
+    const bool clicked = ImGui::InvisibleButton(row.name, size);
     mark(ui.widgets, row.name, origin, {origin.x + size.x, origin.y + size.y});
     const Place place = stripPlace(ui, origin, width);
     const std::optional<std::uint32_t> pixel = pointed(ui, picture, side, place);
+    if (clicked && pixel)
+        ui.commands.push_back(PinPixel{pixel == ui.state.pinnedPixel ? std::nullopt : pixel});
 
     const std::string what = drawingTitle(ui.state, "eye");
     const std::string words = row.maker.empty()

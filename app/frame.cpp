@@ -46,9 +46,9 @@ void stage(const Ui& ui) {
     }
     const ImVec2 all = ImGui::GetContentRegionAvail();
     if ((!code && !plot) || (low && !state.canvasHidden)) return scenePanels(ui, all);
-    const float below = std::floor(grid   ? 0.5f * all.y
-                                   : code ? 0.46f * all.y
-                                          : std::min(0.4f * all.y, 300 * ui.scale));
+    const float below = std::floor(grid           ? 0.5f * all.y
+                                   : code || list ? 0.46f * all.y
+                                                  : std::min(0.4f * all.y, 300 * ui.scale));
     const ImVec2 rest{all.x, low ? all.y : below};
     if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     if (code)
@@ -203,7 +203,7 @@ void askLight(Session& session) {
     if (session.asked == state.questionId) return;
     session.asked = state.questionId;
     session.light.ask({state.questionId, state.scene, state.at, state.settings, state.shows(View::damage),
-                       state.show & kPictureSet, state.makers, state.run});
+                       state.show & kPictureSet, state.makers, state.shownRun(), state.pinnedPixel});
 }
 
 void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {

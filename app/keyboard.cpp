@@ -31,10 +31,9 @@ void playbackKeys(const Ui& ui) {
     if (keyPressed(Key::space, false)) ui.commands.push_back(TogglePlay{});
     if (keyPressed(Key::w, false)) ui.commands.push_back(ShowWholeRun{});
     const auto speed = static_cast<std::size_t>(ui.state.speed);
-    if (keyPressed(Key::period, false) && speed + 1 < kPlaySpeeds.size())
+    if (keyPressed(Key::k, false) && speed + 1 < kPlaySpeeds.size())
         ui.commands.push_back(SetSpeed{kPlaySpeeds[speed + 1].value});
-    if (keyPressed(Key::comma, false) && speed > 0)
-        ui.commands.push_back(SetSpeed{kPlaySpeeds[speed - 1].value});
+    if (keyPressed(Key::j, false) && speed > 0) ui.commands.push_back(SetSpeed{kPlaySpeeds[speed - 1].value});
 }
 
 /// The entry after `value` in its table, round the end.
@@ -181,6 +180,19 @@ void paneKeys(const Ui& ui) {
     if (keyPressed(Key::c, false)) ui.commands.push_back(HideCanvas{!ui.state.canvasHidden});
 }
 
+/// The pixel that is pinned, or else the one under the pointer or in the middle of the strip; then on from
+/// it.
+void pixelKeys(const Ui& ui) {
+    const AppState& state = ui.state;
+    const int step = ImGui::GetIO().KeyShift ? 10 : 1;
+    const int by = (keyPressed(Key::period) ? step : 0) - (keyPressed(Key::comma) ? step : 0);
+    if (by == 0) return;
+    constexpr int kLast = static_cast<int>(kEyeStripPixels) - 1;
+    const auto first = state.eyePixel.value_or(kEyeStripPixels / 2);
+    const int pixel = state.pinnedPixel ? static_cast<int>(*state.pinnedPixel) + by : static_cast<int>(first);
+    ui.commands.push_back(PinPixel{static_cast<std::uint32_t>(std::clamp(pixel, 0, kLast))});
+}
+
 void viewKeys(const Ui& ui) {
     if (keyPressed(Key::f, false)) ui.commands.push_back(FitCamera{});
     if (keyPressed(Key::g, false)) ui.commands.push_back(SetView{View::grid, !ui.state.shows(View::grid)});
@@ -190,11 +202,13 @@ void viewKeys(const Ui& ui) {
     }
     if (characterTyped('?') || keyPressed(Key::f1, false)) ui.commands.push_back(ToggleHelp{});
     if (keyPressed(Key::escape, false)) {
+        const bool telling = ui.state.exportWished || !ui.state.notice.empty();
         const bool covered = ui.state.helpShown || !ui.state.banner.empty();
         if (ui.state.helpShown) ui.commands.push_back(ToggleHelp{});
         if (!ui.state.banner.empty()) ui.commands.push_back(DismissBanner{});
-        if (ui.state.exportWished || !ui.state.notice.empty()) ui.commands.push_back(DismissNotice{});
+        if (telling) ui.commands.push_back(DismissNotice{});
         if (!covered && ui.state.editing.on) ui.commands.push_back(SelectThings{});
+        if (!covered && !telling && !ui.state.editing.on) ui.commands.push_back(PinPixel{});
     }
 }
 
@@ -219,6 +233,7 @@ void keyboard(const Ui& ui) {
     }
     lessonKeys(ui);
     viewKeys(ui);
+    pixelKeys(ui);
     cameraKeys(ui);
     paneKeys(ui);
     editKeys(ui);

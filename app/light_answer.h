@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "app/light_picture.h"
@@ -33,10 +34,11 @@ struct LightQuestion {
     std::shared_ptr<const PreparedScene> scene{};
     WallPoint at{};
     Settings settings{};
-    bool wantsDamage = false;  ///< also what each defect alone does
-    ViewSet pictures{};        ///< of kPictureSet: those that are wanted too
-    Makers makers{};           ///< of the pictures
-    Run run = Run::castRay;    ///< that is recorded
+    bool wantsDamage = false;              ///< also what each defect alone does
+    ViewSet pictures{};                    ///< of kPictureSet: those that are wanted too
+    Makers makers{};                       ///< of the pictures
+    Run run = Run::castRay;                ///< that is recorded
+    std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, if its run is recorded and not that at P
 };
 
 /// What one maker made; null: not begun, not wanted, or (eye) the scene has none.
@@ -82,7 +84,9 @@ struct SampleRow {
     enum class Kind : std::uint8_t { halfDisk, light, path } kind = Kind::halfDisk;
     double theta = 0.0;  ///< rad from the tangent (halfDisk)
     Rgb brings{0.0};     ///< W/(m rad) (halfDisk)
-    Rgb adds{0.0};       ///< W/m, to the estimate of E
+    Rgb adds{0.0};       ///< to the estimate, in its unit: see unitOf
+    std::string word{};  ///< (path) of the way by which most of its light came; without light of its walls
+    std::uint32_t finds = 0;  ///< (path) how often it found light
 };
 
 /// What one defect alone does to E.
@@ -133,6 +137,16 @@ struct LightAnswer {
     std::string failure;  ///< not empty: why nothing more will come
     bool complete = false;
 };
+
+/// The pixel of the eye's strip that the recorded run is about; none: it is about P.
+inline std::optional<std::uint32_t> pixelOf(const LightAnswer& answer) {
+    return answer.pathRun ? answer.asked.pixel : std::nullopt;
+}
+
+/// Of the recorded run's estimate: irradiance at P, radiance of a pixel.
+inline const char* unitOf(const LightAnswer& answer) {
+    return pixelOf(answer) ? "W/(m rad)" : "W/m";
+}
 
 /// One number for a colour in plots.
 inline double gray(const Rgb& c) {

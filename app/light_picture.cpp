@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lessons/lesson.h"
+
 namespace halfdisk {
 namespace {
 
-constexpr std::uint32_t kStripPixels = 256;
 constexpr double kFieldCells = 160.0;  // along the longer side
 constexpr double kMargin = 0.04;       // of the longer side
 
@@ -17,7 +18,7 @@ constexpr std::uint32_t kProfileBins = 96;
 
 std::optional<Sensor> eyeStripOf(const Scene& scene) {
     if (!scene.eye) return std::nullopt;
-    return EyeStrip{*scene.eye, kStripPixels};
+    return EyeStrip{*scene.eye, kEyeStripPixels};
 }
 
 Sensor profileOf(std::uint32_t segment) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/path_word.h"
+
 namespace halfdisk {
 namespace {
 
@@ -101,15 +103,29 @@ std::vector<SampleRow> rowsOf(const Record& record, const RecordSummary& summary
 }
 
 /// A row for each path, or for each two that are joined.
-std::vector<SampleRow> rowsOf(const PathRun& run, bool joined) {
+std::vector<SampleRow> rowsOf(const PathRun& run, Run whose) {
     std::vector<SampleRow> rows;
+    PathWord word;
+    double most = 0.0;  // of one find of this row
     for (std::size_t i = 0; i < run.record.events.size(); ++i) {
         const PathEvent& event = run.record.events[i];
-        const std::uint32_t number = joined ? event.path / 2 : event.path;
-        if (rows.empty() || rows.back().number != number)
+        const std::uint32_t number = whose == Run::bidirectional ? event.path / 2 : event.path;
+        auto known = rows.rbegin();  // a path may go on after those that branched off it
+        while (known != rows.rend() && known->number > number) ++known;
+        if (known == rows.rend() || known->number != number) {
             rows.push_back({i, number, kNoSegment, SampleRow::Kind::path});
-        rows.back().event = i + 1;
-        rows.back().adds += event.value / static_cast<double>(run.divisor);
+            known = rows.rbegin();
+            most = 0.0;
+        }
+        SampleRow& row = *known;
+        row.event = i + 1;
+        row.adds += event.value / static_cast<double>(run.divisor);
+        const std::string found = word.of(event);
+        if (whose == Run::photonMap) continue;  // what is looked up came by many ways
+        if (!found.empty()) ++row.finds;
+        if (gray(event.value) > most) row.word = found;
+        if (row.finds == 0) row.word = word.walls();
+        most = std::max(most, gray(event.value));
     }
     return rows;
 }
@@ -209,13 +225,17 @@ void recordPathRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     const std::string_view id = nameOf(kRuns, asked.run);
     const EstimatorInfo& info = *findEstimator(id);
     const std::optional<Maker>& maker = asked.makers.first;
-    const ParamValues params = maker && maker->estimator == id ? maker->params : initialValues(info);
+    const bool sameMaker = maker && maker->estimator == id;
+    const ParamValues params = sameMaker ? maker->params : initialValues(info);
+    const auto strip = asked.pixel ? eyeStripOf(asked.scene->scene) : std::nullopt;
+    Settings settings = asked.settings;
+    // A pixel's paths are those of the strip.
+    if (strip && sameMaker) settings.maxDepth = maker->depth.value_or(settings.maxDepth);
     try {
-        answer.pathRun = std::make_shared<const PathRun>(
-            recordPaths(info, asked.scene->index, answer.point, asked.settings, params,
-                        [&] { return cancelled.load(std::memory_order_relaxed); }));
-        answer.rows = std::make_shared<const std::vector<SampleRow>>(
-            rowsOf(*answer.pathRun, asked.run == Run::bidirectional));
+        answer.pathRun = std::make_shared<const PathRun>(recordPaths(
+            info, asked.scene->index, strip.value_or(Probe{answer.point}), strip ? *asked.pixel : 0, settings,
+            params, [&] { return cancelled.load(std::memory_order_relaxed); }));
+        answer.rows = std::make_shared<const std::vector<SampleRow>>(rowsOf(*answer.pathRun, asked.run));
     } catch (const Stopped&) {
         // A newer question waits: nobody will ask for this run.
     }

@@ -9,9 +9,13 @@
 namespace halfdisk {
 namespace {
 
+std::string withUnit(const Rgb& value, const char* unit) {
+    if (isGray(value)) return fmt::format("{} {}", shown(value), unit);
+    return say("{} {} (red, green, blue: {})", shown(gray(value)), unit, shown(value));
+}
+
 std::string irradiance(const Rgb& value) {
-    if (isGray(value)) return fmt::format("{} W/m", shown(value));
-    return say("{} W/m (red, green, blue: {})", shown(gray(value)), shown(value));
+    return withUnit(value, "W/m");
 }
 
 void add(std::vector<NumberWords>& numbers, std::string_view name, std::string value) {
@@ -46,17 +50,20 @@ void addDamage(std::vector<NumberWords>& numbers, const LightAnswer& answer) {
 std::vector<NumberWords> pathRunNumbers(const AppState& state, const LightAnswer& answer) {
     const PathRun& run = *answer.pathRun;
     std::vector<NumberWords> numbers;
+    const auto pixel = pixelOf(answer);
+    const std::string name =
+        pixel ? say("estimate of L, pixel {} of the eye's strip", *pixel) : std::string(tr("estimate of E"));
     if (state.shows(View::exact))
-        add(numbers, "exact E", answer.exact ? irradiance(*answer.exact) : std::string(tr("not known")));
+        add(numbers, pixel ? "exact E at P" : "exact E",
+            answer.exact ? irradiance(*answer.exact) : std::string(tr("not known")));
     if (!state.shows(View::numbers)) return numbers;
-    if (!run.refusal.empty())
-        return {{std::string(tr("estimate of E")), say("none: {}", trMessage(run.refusal))}};
-    std::string value = irradiance(run.estimate);
+    if (!run.refusal.empty()) return {{name, say("none: {}", trMessage(run.refusal))}};
+    std::string value = withUnit(run.estimate, unitOf(answer));
     if (run.standardError)
         value += say(" \u00b1 {:.2g}, one standard error from its own paths", gray(*run.standardError));
     const bool finished = !state.playback.stepping || state.playback.event >= state.eventCount();
     if (!finished) value = say("not finished, at step {} of {}", state.playback.event, state.eventCount());
-    add(numbers, "estimate of E", value);
+    numbers.push_back({name, value});
     if (finished) add(numbers, "rays cast", fmt::format("{}", run.counts.rays));
     return numbers;
 }

@@ -74,18 +74,40 @@ void estimateRows(const Ui& ui, const LightAnswer& answer) {
             "The same run, the same random numbers, by the corrected castRay.");
 }
 
+/// What the strip, of more passes, shows there.
+void stripRow(const Ui& ui, const LightAnswer& answer, std::uint32_t pixel) {
+    const LightPicture* strip = answer.pictures.eye.get();
+    if (!strip || strip->film.passes == 0 || pixel >= strip->film.pixels.size()) return;
+    const Statistics value = strip->film.pixels[pixel];
+    const double error = gray(value.standardError());
+    row(ui, "in the strip",
+        fmt::format("{} \u00b1 {}", shown(gray(value.mean)), shownError(error, gray(value.mean))),
+        ui.palette.exact,
+        say("The same pixel as the strip shows it, of {} passes, W/(m rad).", strip->film.passes));
+}
+
 /// The same of another estimator's run.
 void pathRunRows(const Ui& ui, const LightAnswer& answer) {
     const PathRun& run = *answer.pathRun;
-    if (!run.refusal.empty())
-        return row(ui, "estimate of E", "none", ui.palette.error, trMessage(run.refusal));
+    const auto pixel = pixelOf(answer);
+    const std::string name = pixel ? say("L of pixel {}", *pixel) : std::string("estimate of E");
+    if (!run.refusal.empty()) return row(ui, name, "none", ui.palette.error, trMessage(run.refusal));
     std::string value = shown(gray(run.estimate));
     if (run.standardError)
         value += fmt::format(" \u00b1 {}", shownError(gray(*run.standardError), gray(run.estimate)));
-    row(ui, "estimate of E", value, ui.palette.estimate,
-        "What the N paths of this run say arrives at P (irradiance, W/m), plus or minus one standard error "
-        "where they are independent. Of a coloured light, the mean of red, green and blue.");
-    if (ui.state.shows(View::exact) && answer.exact && gray(*answer.exact) != 0.0)
+    if (pixel)
+        row(ui, name, value, ui.palette.estimate,
+            "What the N paths of this run say the pixel sees (radiance, W/(m rad)), plus or minus one "
+            "standard "
+            "error where they are independent. Of a coloured light, the mean of red, green and blue.");
+    else
+        row(ui, name, value, ui.palette.estimate,
+            "What the N paths of this run say arrives at P (irradiance, W/m), plus or minus one standard "
+            "error "
+            "where they are independent. Of a coloured light, the mean of red, green and blue.");
+    if (pixel)
+        stripRow(ui, answer, *pixel);
+    else if (ui.state.shows(View::exact) && answer.exact && gray(*answer.exact) != 0.0)
         row(ui, "off by", fmt::format("{:+.1f} %", 100.0 * (gray(run.estimate) / gray(*answer.exact) - 1.0)),
             ui.palette.ink, "Estimate against exact value.");
     row(ui, "rays cast", withThousands(run.counts.rays), ui.palette.ink,
@@ -127,11 +149,13 @@ void numbersPanel(const Ui& ui) {
     if (!state.answer) return row(ui, "estimate of E", "\u2026", palette.estimate, "");
     const LightAnswer& answer = *state.answer;
     if (answer.pathRun) {
-        if (state.shows(View::exact)) exactRow(ui, answer);
+        const auto pixel = pixelOf(answer);
+        if (state.shows(View::exact) && !pixel) exactRow(ui, answer);
         if (!state.shows(View::numbers)) return;
         if (runIsFinished(state)) return pathRunRows(ui, answer);
-        return row(ui, "estimate of E", say("step {} of {}", state.playback.event, state.eventCount()),
-                   palette.estimate, "The run is not finished yet: step on, or press End.");
+        return row(ui, pixel ? say("L of pixel {}", *pixel) : std::string("estimate of E"),
+                   say("step {} of {}", state.playback.event, state.eventCount()), palette.estimate,
+                   "The run is not finished yet: step on, or press End.");
     }
     if (answer.tooManyRays) {
         ImGui::PushStyleColor(ImGuiCol_Text, palette.error);

@@ -26,5 +26,7 @@ void offerEditing(Offer& offer);
 void offerSettings(Offer& offer);
 void offerViews(Offer& offer);
 void offerEstimators(Offer& offer);
+/// Of the eye's strip, to be looked into; and the order of the list of what was seen.
+void offerPixels(Offer& offer);
 
 }  // namespace halfdisk

@@ -127,4 +127,23 @@ void offerEstimators(Offer& offer) {
                     SetMakers{{now.first, makerOf(info->id)}});
 }
 
+void offerPixels(Offer& offer) {
+    const AppState& state = offer.state;
+    offer.addIf(state.shows(View::samples),
+                state.largestFirst ? "List of samples: as they came" : "List of samples: largest first", {},
+                SortSamples{!state.largestFirst});
+    if (!canPin(state, 0)) return;
+    const auto pinned = state.pinnedPixel;
+    const bool hasEscape = !state.editing.on && state.banner.empty() && state.notice.empty() &&
+                           !state.exportWished && !state.helpShown;
+    offer.addIf(pinned.has_value(), "Back to P from the pixel", hasEscape ? "Escape" : "", PinPixel{});
+    offer.addIf(pinned && *pinned > 0, "One pixel to the left", keyOf(KeyRow::pixel),
+                PinPixel{pinned.value_or(1) - 1});
+    offer.addIf(pinned && *pinned + 1 < kEyeStripPixels, "One pixel to the right", keyOf(KeyRow::pixel, 1),
+                PinPixel{pinned.value_or(0) + 1});
+    for (std::uint32_t pixel = 0; pixel < kEyeStripPixels; ++pixel)
+        offer.addIf(pixel != pinned, say("Look into pixel {} of the eye's strip", pixel), {},
+                    PinPixel{pixel});
+}
+
 }  // namespace halfdisk

@@ -86,6 +86,11 @@ void keepLocked(const AppState& here, AppState& shared) {
     shared.makers = values.makers;
 }
 
+/// Another scene has no such eye, and rules may hide the strip.
+void pinIfPossible(AppState& state, std::optional<std::uint32_t> pixel) {
+    state.pinnedPixel = pixel && canPin(state, *pixel) ? pixel : std::nullopt;
+}
+
 }  // namespace
 
 void askAnew(AppState& state) {
@@ -121,6 +126,8 @@ void enterStep(AppState& state, std::size_t step) {
     state.scale = values.scale;
     state.strategiesAlone = false;
     state.sampleRange.reset();
+    state.largestFirst = false;
+    pinIfPossible(state, state.sceneOverride.empty() ? values.pixel : std::nullopt);
     state.split = 0.5f;
     askAnew(state);
     const bool stepping = entered.unlock == Control::step || entered.values.event > 0;
@@ -156,6 +163,7 @@ void showShared(AppState& state, const std::string& text) {
     state.run = shared.run;
     state.scale = shared.scale;
     state.strategiesAlone = shared.strategiesAlone;
+    pinIfPossible(state, shared.pinnedPixel);
     askAnew(state);
     state.playback = shared.playback;
     state.fitCamera = true;
@@ -250,6 +258,7 @@ void setRules(AppState& state, const ClassRules& rules, bool asTheStepBegins) {
     state.at = values.at;
     state.makers = values.makers;
     state.show = state.show - rules.hidden;
+    pinIfPossible(state, state.pinnedPixel);
 }
 
 AppState openScene(const std::filesystem::path& lessonsFolder, const std::filesystem::path& scene) {

@@ -121,21 +121,25 @@ void profilePlot(const Ui& ui, ImVec2 size) {
     for (const Curve& curve : curves) plotKey(ui, plot, row++, curve.color, curve.title.c_str());
     if (exact) plotKey(ui, plot, row++, exactColor, "exactly");
     if (!plot.hovered()) return;
-    const double place = plot.xAt(ImGui::GetIO().MousePos.x);
+    const double place = plot.xAt(ImGui::GetIO().MousePos.x),
+                 share = std::clamp(place / length, 0.0, 0.999999);
     std::string words = say("{:.3g} m along the wall", place);
     for (const Curve& curve : curves) {
         const PixelStatistics& bins = curve.picture->film.pixels;
-        const double share = std::clamp(place / length, 0.0, 0.999999);
         const Statistics bin = bins[static_cast<std::size_t>(share * static_cast<double>(bins.size()))];
         words +=
             say("\nE = {} \u00b1 {:.1g} W/m  {}", shown(bin.mean), gray(bin.standardError()), curve.title);
     }
     if (exact) {
-        const double share = std::clamp(place / length, 0.0, 0.999999);
         words += say("\nexactly {} W/m",
                      shown((*exact)[static_cast<std::size_t>(share * static_cast<double>(exact->size()))]));
     }
+    if (!state.isUnlocked(Control::point)) return tooltip(words);
+    words += fmt::format("\n{}", tr("click: P to this place"));
     tooltip(words);
+    if (!ImGui::IsMouseClicked(0)) return;
+    const auto bins = static_cast<double>(curves.front().picture->film.pixels.size());
+    ui.commands.push_back(MovePoint{{state.at.segment, (std::floor(share * bins) + 0.5) / bins}});
 }
 
 }  // namespace halfdisk

@@ -27,6 +27,11 @@ std::string carried(const PathEvent& event) {
                                               : say("power {} W", shown(event.throughput));
 }
 
+/// P, or the eye of a pixel.
+std::string sensorName(const AppState& state) {
+    return std::string(pixelOf(*state.answer) ? tr("the eye") : "P");
+}
+
 std::string added(const AppState& state, const PathEvent& event) {
     const std::uint32_t N = state.answer->pathRun->divisor;
     if (N == 1) return say("adds {}   sum so far = {}", shown(event.value), shown(event.sum));
@@ -37,14 +42,15 @@ std::string added(const AppState& state, const PathEvent& event) {
 /// Which path, as the run counts them.
 std::string whichPath(const AppState& state, const PathEvent& event) {
     const bool fromP = event.carried == Carried::radiance;
-    if (state.run == Run::bidirectional)
+    const Run run = state.answer->asked.run;
+    if (run == Run::bidirectional)
         return event.kind == PathEventKind::joined ? say("pair {}, joined", event.path / 2 + 1)
-               : fromP                             ? say("pair {}, from P", event.path / 2 + 1)
-                                                   : say("pair {}, from the light", event.path / 2 + 1);
-    if (state.run == Run::light && event.path == 0) return std::string(tr("straight from the lights"));
-    if (state.run == Run::light) return say("path {}", event.path);
-    if (state.run == Run::photonMap)
-        return fromP ? std::string(tr("the look from P")) : say("photon {}", event.path + 1);
+               : fromP ? say("pair {}, from {}", event.path / 2 + 1, sensorName(state))
+                       : say("pair {}, from the light", event.path / 2 + 1);
+    if (run == Run::light && event.path == 0) return std::string(tr("straight from the lights"));
+    if (run == Run::light) return say("path {}", event.path);
+    if (run == Run::photonMap)
+        return fromP ? say("the look from {}", sensorName(state)) : say("photon {}", event.path + 1);
     return say("path {}", event.path + 1);
 }
 
@@ -61,20 +67,22 @@ std::string shareOf(const PathEvent& event) {
 
 std::string started(const AppState& state, const PathEvent& event) {
     if (event.carried == Carried::radiance) return "A path sets out, against the light.";
-    if (event.throughput == Rgb(0.0)) return "First what comes to P straight from a light.";
+    if (event.throughput == Rgb(0.0))
+        return say("First what comes to {} straight from a light.", sensorName(state));
     if (event.segment == kNoSegment) return "A path of light sets out.";
     return say("A path of light sets out from {}.", wallName(state, event.segment));
 }
 
 std::string joinedHow(const AppState& state, const PathEvent& event) {
     const std::string_view way = tr(event.visible ? "the way is free" : "something is in the way");
-    if (state.run == Run::light) return say("The wall is joined to P: {}.", way);
+    if (state.answer->asked.run == Run::light)
+        return say("The wall is joined to {}: {}.", sensorName(state), way);
     const std::string strategy = say("Strategy s = {}, t = {}: ", event.s, event.t);
     if (event.s == 0)
-        return fmt::format("{}{}", strategy,
-                           tr(event.from == event.to ? "P's path met the lamp by itself."
-                                                     : "P's path met the sky by itself."));
-    return strategy + say("{} from the light, {} from P; {}.", event.s, event.t, way);
+        return strategy + (event.from == event.to
+                               ? say("{}'s path met the lamp by itself.", sensorName(state))
+                               : say("{}'s path met the sky by itself.", sensorName(state)));
+    return strategy + say("{} from the light, {} from {}; {}.", event.s, event.t, sensorName(state), way);
 }
 
 std::string ended(Ending why) {

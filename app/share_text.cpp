@@ -103,6 +103,12 @@ AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     if (json.contains("scale")) state.scale = named(json, "scale", kFieldScales);
     state.strategiesAlone = json.contains("alone") && json["alone"] == true;
     if (json.contains("run")) state.run = named(json, "run", kRuns);
+    state.pinnedPixel.reset();
+    if (json.contains("pixel")) {
+        const auto pixel = static_cast<std::uint32_t>(whole(json, "pixel", 0, kEyeStripPixels - 1));
+        if (!canPin(state, pixel)) failDamaged();
+        state.pinnedPixel = pixel;
+    }
     state.playback.stepping = json.contains("event");
     state.playback.event = state.playback.stepping ? whole(json, "event", 0, UINT32_MAX) : 0;
     ++state.questionId;
@@ -139,6 +145,7 @@ std::string shareText(const AppState& state) {
     if (state.scale != FieldScale::light) json["scale"] = std::string(nameOf(kFieldScales, state.scale));
     if (state.strategiesAlone) json["alone"] = true;
     if (state.run != Run::castRay) json["run"] = std::string(nameOf(kRuns, state.run));
+    if (state.pinnedPixel) json["pixel"] = *state.pinnedPixel;
     if (state.playback.stepping) json["event"] = state.playback.event;
     return std::string(kPrefix) + packedText(json.dump());
 }

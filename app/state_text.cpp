@@ -14,6 +14,7 @@
 #include "app/picture_stages.h"
 #include "app/plot_words.h"
 #include "app/run_text.h"
+#include "app/sample_words.h"
 #include "app/scene_words.h"
 #include "app/step_text.h"
 #include "app/tree_json.h"
@@ -188,12 +189,19 @@ void addPlayback(WordsPage& page, const AppState& state) {
 }
 
 void addPathRun(WordsPage& page, const AppState& state, const PathRun& run) {
-    page.heading(say("The recorded run of {}", nameOf(kRuns, state.answer->asked.run)));
+    const LightAnswer& answer = *state.answer;
+    const auto pixel = pixelOf(answer);
+    const std::string_view name = nameOf(kRuns, answer.asked.run);
+    page.heading(pixel ? say("The recorded run of {}, for pixel {} of the eye's strip", name, *pixel)
+                       : say("The recorded run of {}", name));
     if (!run.refusal.empty()) return page.paragraph(say("There is none: {}.", trMessage(run.refusal)));
-    page.paragraph(say("{} steps of {} paths; {} rays. It says E = {} W/m.", run.record.events.size(),
-                       run.record.paths, run.counts.rays, shown(run.estimate)));
+    page.paragraph(say("{} steps of {} paths; {} rays. It says {} = {} {}.", run.record.events.size(),
+                       run.record.paths, run.counts.rays, pixel ? "L" : "E", shown(run.estimate),
+                       unitOf(answer)));
     if (run.record.truncated) page.paragraph(tr("Later paths were left out of the record."));
     addKinds(page, run.record.events, kPathEventKinds);
+    if (pixel) page.paragraph(pixelSumWords(answer));
+    if (pixel) page.paragraph(pixelSumMeaning(answer));
     addPlayback(page, state);
     if (!currentPathEvent(state)) return;
     const StepText words = describeStep(state);

@@ -65,6 +65,10 @@ Json headOf(const AppState& state) {
     if (answer && answer->exact) head["exact"] = jsonOf(*answer->exact);
     head["run"] = nameOf(kRuns, answer ? answer->asked.run : state.run);
     if (answer && answer->pathRun) tellPathRun(head, *answer->pathRun);
+    const auto pixel = answer ? pixelOf(*answer) : std::nullopt;
+    if (pixel) head["exact"] = nullptr;  // that is E at P
+    head["pixel"] = pixel ? Json(*pixel) : Json(nullptr);
+    head["unit"] = answer ? unitOf(*answer) : "W/m";
     head["shownEvents"] = state.playback.stepping ? Json(state.playback.event) : Json(nullptr);
     head["walls"] = prepared.scene.segmentNames;
     return head;

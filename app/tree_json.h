@@ -13,6 +13,9 @@
 //   walls               names, by segment
 //   run                 whose run it is: cast-ray, path, light, photon-map or bidirectional
 //   divisor             of another run than castRay's: its estimate is the sum of all values, divided by this
+//   pixel               of the eye's strip, counted from 0 at its left, if the run is its own: `estimate` and
+//                       `value` are then its radiance, `exact` is null; null: the run is of P
+//   unit                of `estimate`: W/m, or W/(m rad) of a pixel
 //   calls               the tree of half-disks: call (its index), parent (the index of the call whose sample
 //   led
 //                       here, or null), sample (which of the parent's), depth, segment, P, N, firstEvent,

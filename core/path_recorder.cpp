@@ -12,9 +12,10 @@ PathEvent* PathRecorder::append(PathEventKind kind, SourceLine where) {
 }
 
 void PathRecorder::add(PathEvent* event, const Rgb& value) {
-    sum_ += value;
+    const Rgb counted = share_ * value;
+    sum_ += counted;
     if (!event) return;
-    event->value = value;
+    event->value = counted;
     event->sum = sum_;
 }
 

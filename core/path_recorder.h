@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -79,10 +80,15 @@ struct PathRecord {
     bool truncated = false;   ///< later paths were left out to stay within the limit
 };
 
-/// Keeps about `limit` events; what is found after that is only summed up.
+/// Keeps about `limit` events; what is found after that is only summed up. Of a sensor with many pixels it
+/// may be about one alone: a pass then leaves out the paths, and what they find, that only others want.
 class PathRecorder {
  public:
-    explicit PathRecorder(std::size_t limit = 100'000) : limit_(limit) {}
+    explicit PathRecorder(std::size_t limit = 100'000, std::optional<std::uint32_t> pixel = std::nullopt)
+        : limit_(limit), pixel_(pixel) {}
+
+    bool wants(std::uint32_t pixel) const { return !pixel_ || *pixel_ == pixel; }
+    bool wantsOnePixel() const { return pixel_.has_value(); }
 
     void start(Carried carried, Vec2 at, const Rgb& throughput, std::uint32_t segment,
                SourceLine where = SourceLine::here());
@@ -101,6 +107,17 @@ class PathRecorder {
     void lookedUp(Vec2 at, std::uint32_t segment, double radius, std::uint32_t photons, const Rgb& value,
                   SourceLine where = SourceLine::here());
 
+    /// Where a path is, other paths set out that find light for it, which counts for it times `throughput`.
+    void branch(const Rgb& throughput) {
+        branchedAt_ = now_;
+        share_ = throughput;
+    }
+    /// Back to the path that branched.
+    void rejoin() {
+        now_ = branchedAt_;
+        share_ = Rgb(1.0);
+    }
+
     PathRecord take() { return std::move(record_); }
 
  private:
@@ -108,9 +125,12 @@ class PathRecorder {
     void add(PathEvent* event, const Rgb& value);
 
     PathRecord record_;
+    PathEvent branchedAt_;
+    Rgb share_{1.0};
     PathEvent now_;  // what the next event inherits: the path, where it is, what it carries
     Rgb sum_{0.0};
     std::size_t limit_;
+    std::optional<std::uint32_t> pixel_;
     bool full_ = false;
 };
 

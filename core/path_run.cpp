@@ -14,16 +14,16 @@ double* pathsOfLight(const EstimatorInfo& info, ParamValues& params) {
 
 }  // namespace
 
-PathRun recordPaths(const EstimatorInfo& info, const SegmentIndex& index, const ShadedPoint& at,
-                    const Settings& settings, ParamValues params, const StopQuestion& stop,
-                    std::size_t eventLimit) {
+PathRun recordPaths(const EstimatorInfo& info, const SegmentIndex& index, const Sensor& sensor,
+                    std::uint32_t pixel, const Settings& settings, ParamValues params,
+                    const StopQuestion& stop, std::size_t eventLimit) {
     PathRun run;
     double* lightPaths = pathsOfLight(info, params);
     if (lightPaths) *lightPaths = settings.samples;
     const std::uint32_t passes = lightPaths ? 1 : settings.samples;
 
-    PathRecorder recorder(eventLimit);
-    const Sensor sensor = Probe{at};
+    const std::uint32_t pixels = pixelCount(sensor);
+    PathRecorder recorder(eventLimit, pixels > 1 ? std::optional(pixel) : std::nullopt);
     const Problem problem{.index = index,
                           .sensor = sensor,
                           .maxDepth = settings.maxDepth,
@@ -42,9 +42,9 @@ PathRun recordPaths(const EstimatorInfo& info, const SegmentIndex& index, const 
     }
     Statistics values;
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
-        Picture picture(1, Rgb(0.0));
+        Picture picture(pixels, Rgb(0.0));
         estimator->addPass(pass, picture, run.counts);
-        values.add(picture.front());
+        values.add(picture[pixel]);
     }
     run.divisor = passes;
     run.estimate = values.mean;

@@ -142,6 +142,9 @@ inline constexpr int kListingLines = 34;
 inline constexpr std::uint64_t kMostLessonSamples = 4096;
 inline constexpr std::uint64_t kMostLessonDepth = 8;
 
+/// Of the strip that the window shows of what the scene's eye sees.
+inline constexpr std::uint32_t kEyeStripPixels = 256;
+
 /// All that a step sets; what neither it nor the lesson's [defaults] name is at its initial value.
 struct StepValues {
     Settings settings;
@@ -149,7 +152,8 @@ struct StepValues {
     Makers makers;           ///< of the pictures: eye, field and profile
     Run run = Run::castRay;  ///< the one that is recorded
     FieldScale scale = FieldScale::light;
-    std::uint32_t event = 0;  ///< position in the recorded run, 0 = its start
+    std::uint32_t event = 0;               ///< position in the recorded run, 0 = its start
+    std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, whose run is recorded instead of that at P
     bool operator==(const StepValues&) const = default;
 };
 

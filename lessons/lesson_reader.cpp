@@ -93,7 +93,14 @@ class LessonReader {
         if (const TomlValue* run = table.optional("run")) values.run = readNamed(file_, "run", *run, kRuns);
         if (const TomlValue* event = table.optional("event"))
             values.event = static_cast<std::uint32_t>(readWhole(file_, "event", *event, {0, kMostEvents}));
+        if (const TomlValue* pixel = table.optional("pixel")) values.pixel = readPixel(*pixel);
         table.finish();
+    }
+
+    std::uint32_t readPixel(const TomlValue& value) const {
+        if (!scene_.eye)
+            failAt(file_, value.where, "\"pixel\" is one of the eye's strip, expected a scene with an [eye]");
+        return static_cast<std::uint32_t>(readWhole(file_, "pixel", value, {0, kEyeStripPixels - 1}));
     }
 
     void readTerm(const TomlValue& value) {
@@ -132,6 +139,9 @@ class LessonReader {
         if (unlock != nullptr) step.unlock = readUnlock(*unlock);
         step.values = defaults_;
         if (set != nullptr) readValues("[step.set]", "set", *set, step.values);
+        if (step.values.pixel && !step.show.has(View::eye))
+            failAt(file_, set != nullptr ? set->where : value.where,
+                   "\"pixel\" is one of the eye's strip, expected \"eye\" in \"show\"");
         if (goal != nullptr) step.goal = readGoal(*goal);
         if (step.goal && step.goal->quantity == GoalQuantity::drawn && !step.show.has(View::integrand))
             failAt(file_, goal->where,

@@ -6,6 +6,7 @@
 #include "core/estimators/all.h"
 #include "core/estimators/bidirectional_join.h"
 #include "core/estimators/params.h"
+#include "core/path_recorder.h"
 
 namespace halfdisk {
 namespace {
@@ -81,6 +82,8 @@ JoinSetup joinSetupOf(const Problem& problem, const ParamValues& params) {
         .limits = {mostScatterings(problem), problem.maxSpecular, as<std::uint32_t>(params[kRoulette])}};
     const double paths = pixelCount(problem.sensor);
     if (std::holds_alternative<EyeStrip>(problem.sensor)) setup.counts.lightConnected = paths;
+    // Of one pixel alone only its own pair is followed.
+    if (problem.record && problem.record->wantsOnePixel()) setup.counts.lightConnected = 1.0;
     if (std::holds_alternative<Look>(problem.sensor)) setup.counts.lightConnected = 0.0;
     if (const auto* profile = std::get_if<Profile>(&problem.sensor)) {
         setup.bins.emplace(*profile, problem.index);

@@ -120,6 +120,7 @@ class Join {
     // a whole path: its value, times this strategy's share among all that could have made it
     void add(const Receiver& at, const Joint& joint, const LightEnd& end, std::span<const InnerVertex> inner,
              double pdfReceiver, const Rgb& value) {
+        if (see_ && !see_->wants(at.pixel)) return;
         std::uint32_t scatterings = 0;
         for (const InnerVertex& wall : inner) scatterings += wall.delta ? 0 : 1;
         if (value == Rgb(0.0) || scatterings > all_.limits.scatterings) return;
@@ -276,6 +277,7 @@ void joinPaths(const JoinSetup& setup, std::uint64_t pass, Picture& picture, Cou
     Join join(setup, picture, counts, apart);
     for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
         throwIfStopped(setup.problem.stop, pixel);
+        if (setup.problem.record && !setup.problem.record->wants(pixel)) continue;
         join.run(pixel, Rng(setup.problem.seed, pass).child(pixel));
         counts.paths += 2;
     }

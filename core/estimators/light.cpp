@@ -82,7 +82,8 @@ struct LightVisitor : WalkVisitor {
         const Rgb brdf = visible ? evalSurface(here.at, here.at.from, way.toReceiver) : Rgb(0.0);
         const Rgb value = here.throughput * brdf * way.passed * (geometry * way.response.weight);
         if (visible) addTo(picture, way.response.pixel, value, counts);
-        if (see) see->joined(here.at.P, receiver->at.P, here.vertex + 2, 1, visible, 1.0, value);
+        if (see && see->wants(way.response.pixel))
+            see->joined(here.at.P, receiver->at.P, here.vertex + 2, 1, visible, 1.0, value);
     }
     // [end]
 };
@@ -131,7 +132,7 @@ class LightEstimator : public Estimator {
         const Response response = responseTo(*receiver_, light.L);
         const Rgb value = light.L_i * (response.weight / paths_);
         if (light.L_i != Rgb(0.0)) addTo(picture, response.pixel, value, counts);
-        if (see) see->asked(receiver_->at.P, {light, 1.0, value}, value);
+        if (see && see->wants(response.pixel)) see->asked(receiver_->at.P, {light, 1.0, value}, value);
     }
     // [end]
 

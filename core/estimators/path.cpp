@@ -73,6 +73,7 @@ class PathEstimator : public Estimator {
         // one path for each pixel of a pass
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
             throwIfStopped(problem_.stop, pixel);
+            if (see && !see->wants(pixel)) continue;
             const Rng rng = Rng(problem_.seed, pass).child(pixel);
             const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
                                               rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));

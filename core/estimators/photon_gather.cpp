@@ -26,20 +26,26 @@ Rgb PhotonGather::received(const Receiver& receiver, const Rng& rng, Counts& cou
     if (rays_ == 0) sum += lookUp(maps_.global, receiver, maps_.radius);
     return sum;
 }
-// [end]
 
+// an eye sees lamps and sky straight or by mirrors and glass, and looks up what other walls send
 Rgb PhotonGather::seen(const Receiver& receiver, const Rng& rng, Counts& counts) const {
     const Sight sight = sightFrom(receiver, problem_.index, rng.uniform(draws::kStart, 2));
+    PathRecorder* const see = problem_.record;
+    if (see) see->start(Carried::radiance, receiver.at.P, Rgb(sight.weight), kNoSegment);
     const Looking eye{.lights = lights_, .mostSpecular = problem_.maxSpecular};
     const auto outgoing = [&](const Arrival& here) {
         const Rgb caustic = lookUp(maps_.caustic, here, maps_.causticRadius);
-        if (rays_ > 0) return caustic + gathered(here, rng, counts);
-        return caustic + directLight(lights_, here, rng, counts) + lookUp(maps_.global, here, maps_.radius);
+        if (rays_ == 0)
+            return caustic + directLight(lights_, here, rng, counts, see, here.throughput) +
+                   lookUp(maps_.global, here, maps_.radius);
+        if (see) see->branch(here.throughput);
+        const Rgb around = gathered(here, rng, counts);
+        if (see) see->rejoin();
+        return caustic + around;
     };
-    return look(eye, sight.ray, Rgb(sight.weight), rng, counts, outgoing);
+    return look(eye, sight.ray, Rgb(sight.weight), rng, counts, outgoing, see);
 }
 
-// [listing]
 // light that comes straight to a place, or scattered at the walls around it
 template <class Place>
 Rgb PhotonGather::gathered(const Place& place, const Rng& rng, Counts& counts) const {

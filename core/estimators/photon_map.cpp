@@ -7,6 +7,7 @@
 #include "core/estimators/all.h"
 #include "core/estimators/params.h"
 #include "core/estimators/photon_gather.h"
+#include "core/path_recorder.h"
 
 namespace halfdisk {
 namespace {
@@ -82,6 +83,7 @@ class PhotonMapEstimator : public Estimator {
         const PhotonGather light(problem_, lights_, sender_, maps);
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
             throwIfStopped(problem_.stop, pixel);
+            if (problem_.record && !problem_.record->wants(pixel)) continue;
             const Rng rng = ofPass.child(pixel);
             const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
                                               rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));

@@ -55,6 +55,8 @@ struct Seen {
     Pane pane;
     float uiScale;
     std::string banner;
+    std::optional<std::uint32_t> pinnedPixel;
+    bool largestFirst;
     bool operator==(const Seen&) const = default;
 };
 
@@ -79,7 +81,9 @@ Seen seen(const AppState& s) {
             s.camera,
             s.pane,
             s.uiScale,
-            s.banner};
+            s.banner,
+            s.pinnedPixel,
+            s.largestFirst};
 }
 
 /// Presses what the help calls a key: "Ctrl Z", "Page Down, N", "Shift V", "3".

@@ -46,9 +46,9 @@ void reset(Rig& rig) {
 void speed(Rig& rig) {
     begin(rig, 2);
     const PlaySpeed before = state(rig).speed;
-    rig.driver.pressKey(Key::period);
+    rig.driver.pressKey(Key::k);
     CHECK(state(rig).speed > before);
-    rig.driver.pressKey(Key::comma);
+    rig.driver.pressKey(Key::j);
     CHECK(state(rig).speed == before);
 }
 
@@ -233,6 +233,20 @@ void pictures(Rig& rig) {
     }
 }
 
+void pixels(Rig& rig) {
+    rig.apply(OpenScene{courseLessons() / "scenes/mirror_room.toml"});
+    rig.apply(SetView{View::eye, true});
+    rig.driver.pressKey(Key::period);
+    REQUIRE(state(rig).pinnedPixel);
+    const std::uint32_t first = *state(rig).pinnedPixel;
+    rig.driver.pressKey(Key::period);
+    CHECK(state(rig).pinnedPixel == first + 1);
+    rig.driver.pressKey(Key::comma);
+    CHECK(state(rig).pinnedPixel == first);
+    rig.driver.pressKey(Key::escape);
+    CHECK_FALSE(state(rig).pinnedPixel);
+}
+
 void size(Rig& rig) {
     begin(rig, 0);
     rig.driver.pressKey(Key::ctrl, Key::equal);
@@ -380,6 +394,7 @@ const std::pair<std::string_view, Check> kRows[] = {{"next step of the lesson", 
                                                     {"fit the scene", fit},
                                                     {"grid", grid},
                                                     {"what the eye sees", pictures},
+                                                    {"the eye's strip", pixels},
                                                     {"everything larger", size},
                                                     {"this help", help},
                                                     {"drag P", mouse},

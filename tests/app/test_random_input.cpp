@@ -169,7 +169,11 @@ Command randomEditing(Dice& dice, const AppState& state) {
 
 Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::filesystem::path>& files) {
     const auto walls = static_cast<std::uint32_t>(state.scene->scene.segments.size());
-    switch (dice.below(39)) {
+    switch (dice.below(41)) {
+        case 39:
+            return PinPixel{dice.once(4) ? std::nullopt : std::optional(dice.below(260))};
+        case 40:
+            return SortSamples{dice.once(2)};
         case 20:
         case 21:
         case 22:

@@ -5,6 +5,8 @@
 #include <numeric>
 
 #include "core/path_run.h"
+#include "core/path_word.h"
+#include "core/pixel_statistics.h"
 #include "rooms.h"
 
 using namespace halfdisk;
@@ -34,7 +36,7 @@ std::vector<const EstimatorInfo*> recorded() {
 
 PathRun runOf(const EstimatorInfo& info, const Stage& stage, const Settings& settings,
               std::size_t limit = 100'000) {
-    return recordPaths(info, stage.index, stage.at, settings, initialValues(info), {}, limit);
+    return recordPaths(info, stage.index, Probe{stage.at}, 0, settings, initialValues(info), {}, limit);
 }
 
 Settings deep(std::uint32_t samples) {
@@ -171,9 +173,9 @@ TEST_CASE("a run that is called off stops, and one that is refused says why") {
     const Stage stage(litBox());
     for (const EstimatorInfo* info : recorded()) {
         CAPTURE(info->id);
-        CHECK_THROWS_AS(
-            recordPaths(*info, stage.index, stage.at, deep(64), initialValues(*info), [] { return true; }),
-            Stopped);
+        CHECK_THROWS_AS(recordPaths(*info, stage.index, Probe{stage.at}, 0, deep(64), initialValues(*info),
+                                    [] { return true; }),
+                        Stopped);
     }
     Settings tooDeep;
     tooDeep.maxDepth = 100;
@@ -181,4 +183,154 @@ TEST_CASE("a run that is called off stops, and one that is refused says why") {
     const PathRun run = runOf(bidirectional, stage, tooDeep);
     CHECK(run.refusal.find("64") != std::string::npos);
     CHECK(run.record.events.empty());
+}
+
+namespace {
+
+/// What an eye in the corner of the room sees.
+EyeStrip stripIn(const Scene& scene, std::uint32_t width = 16) {
+    Vec2 low(1e9), high(-1e9);
+    for (const Segment& wall : scene.segments)
+        for (const Vec2& end : {wall.a, wall.b}) {
+            low = glm::min(low, end);
+            high = glm::max(high, end);
+        }
+    const Vec2 size = high - low;
+    return {Eye{low + 0.2 * size, glm::normalize(0.6 * size), 1.2}, width};
+}
+
+}  // namespace
+
+TEST_CASE("what the steps of a pixel's run add is the pixel, by every estimator") {
+    for (const Scene& scene : {litBox(), mixedRoom()}) {
+        const Stage stage(scene);
+        const Sensor strip = stripIn(scene);
+        for (const EstimatorInfo* info : recorded()) {
+            CAPTURE(info->id);
+            Rgb all{0.0};
+            for (std::uint32_t pixel = 0; pixel < pixelCount(strip); ++pixel) {
+                CAPTURE(pixel);
+                const PathRun run =
+                    recordPaths(*info, stage.index, strip, pixel, deep(64), initialValues(*info), {});
+                REQUIRE(run.refusal.empty());
+                CHECK(glm::length(sumOf(run.record) / double(run.divisor) - run.estimate) <=
+                      1e-12 * glm::length(run.estimate));
+                all += run.estimate;
+            }
+            CHECK(all.x > 0.0);
+        }
+    }
+}
+
+TEST_CASE("a pixel's run is to the bit what the strip's passes bring to this pixel") {
+    const Stage stage(mixedRoom());
+    const Sensor strip = stripIn(stage.scene);
+    for (const std::string_view id : {"path", "light", "photon-map"}) {
+        CAPTURE(id);
+        const EstimatorInfo& info = *findEstimator(id);
+        ParamValues params = initialValues(info);
+        for (std::size_t i = 0; i < params.size(); ++i)
+            if (info.params[i].name == "paths" || info.params[i].name == "photons") params[i] = 64;
+        const Problem problem{.index = stage.index, .sensor = strip, .maxDepth = 3};
+        const auto estimator = info.make(problem, params);
+        const std::uint64_t passes = id == "path" ? 64 : 1;
+        PixelStatistics whole;
+        whole.reset(pixelCount(strip));
+        for (std::uint64_t pass = 0; pass < passes; ++pass) {
+            Picture picture(pixelCount(strip), Rgb(0.0));
+            Counts counts;
+            estimator->addPass(pass, picture, counts);
+            whole.add(picture);
+        }
+        std::size_t lit = 0;
+        for (std::uint32_t pixel = 0; pixel < pixelCount(strip); ++pixel) {
+            CAPTURE(pixel);
+            const PathRun run = recordPaths(info, stage.index, strip, pixel, deep(64), params, {});
+            CHECK(run.estimate == whole[pixel].mean);
+            lit += run.estimate != Rgb(0.0);
+        }
+        CHECK(lit > 8);
+    }
+}
+
+TEST_CASE("a pixel that bidirectional records alone has the light that it has among others") {
+    const Stage stage(mixedRoom());
+    const Sensor strip = stripIn(stage.scene, 8);
+    const EstimatorInfo& info = *findEstimator("bidirectional");
+    const Problem problem{.index = stage.index, .sensor = strip, .maxDepth = 3};
+    const auto estimator = info.make(problem, initialValues(info));
+    PixelStatistics whole;
+    whole.reset(pixelCount(strip));
+    for (std::uint64_t pass = 100'000; pass < 104'000; ++pass) {
+        Picture picture(pixelCount(strip), Rgb(0.0));
+        Counts counts;
+        estimator->addPass(pass, picture, counts);
+        whole.add(picture);
+    }
+    for (const std::uint32_t pixel : {1u, 4u, 6u}) {
+        CAPTURE(pixel);
+        const PathRun run =
+            recordPaths(info, stage.index, strip, pixel, deep(4000), initialValues(info), {}, 1000);
+        REQUIRE(run.standardError);
+        const Rgb error = glm::sqrt(*run.standardError * *run.standardError +
+                                    whole[pixel].standardError() * whole[pixel].standardError());
+        REQUIRE(error.x < 0.1 * whole[pixel].mean.x);
+        CHECK(std::abs(run.estimate.x - whole[pixel].mean.x) < 4.0 * error.x);
+    }
+}
+
+TEST_CASE("every find of a run has the word of its way") {
+    const Stage stage(mixedRoom());
+    const Sensor probe = Probe{stage.at}, strip = stripIn(stage.scene);
+    for (const std::string_view id : {"path", "light", "bidirectional"}) {
+        for (const Sensor* sensor : {&probe, &strip}) {
+            CAPTURE(id);
+            const EstimatorInfo& info = *findEstimator(id);
+            const PathRun run =
+                recordPaths(info, stage.index, *sensor, 0, deep(256), initialValues(info), {});
+            PathWord word;
+            std::map<std::string, int> words;
+            std::size_t walls = 0;  // of a way that is joined: told by s and t alone
+            for (const PathEvent& event : run.record.events) {
+                const std::string found = word.of(event);
+                CHECK(found.empty() == (event.value == Rgb(0.0)));
+                if (found.empty()) continue;
+                ++words[found];
+                CHECK(found.front() == 'L');
+                CHECK(found.back() == 'E');
+                CHECK(found.find_first_not_of("DS", 1) == found.size() - 1);
+                if (event.kind != PathEventKind::joined) continue;
+                walls = event.s + event.t - 2;
+                CHECK(found.size() == walls + 2);
+            }
+            CHECK(words.size() > 1);
+        }
+    }
+}
+
+TEST_CASE("a mirror on the way is an S, and the wall that asks a light a D") {
+    // From the eye to a mirror, to the floor, which asks the bulb.
+    const auto event = [](PathEventKind kind, std::uint32_t vertex, bool delta, double value) {
+        PathEvent e;
+        e.kind = kind;
+        e.vertex = vertex;
+        e.delta = delta;
+        e.value = Rgb(value);
+        return e;
+    };
+    PathWord word;
+    CHECK(word.of(event(PathEventKind::start, 0, false, 0.0)).empty());
+    CHECK(word.of(event(PathEventKind::arrive, 1, false, 0.0)).empty());
+    CHECK(word.of(event(PathEventKind::depart, 1, true, 0.0)).empty());
+    CHECK(word.of(event(PathEventKind::arrive, 2, false, 0.0)).empty());
+    CHECK(word.of(event(PathEventKind::asked, 2, false, 1.0)) == "LDSE");
+    CHECK(word.of(event(PathEventKind::depart, 2, false, 0.0)).empty());
+    CHECK(word.of(event(PathEventKind::arrive, 3, false, 0.0)).empty());
+    CHECK(word.of(event(PathEventKind::met, 3, false, 1.0)) == "LDSE");
+    CHECK(word.walls() == "DDS");
+    PathEvent sky = event(PathEventKind::met, 3, false, 1.0);
+    sky.missed = true;
+    CHECK(word.of(sky) == "LDDSE");
+    CHECK(word.of(event(PathEventKind::start, 0, false, 0.0)).empty());
+    CHECK(word.walls().empty());
 }

@@ -127,6 +127,33 @@ TEST_CASE("values are checked, in a step as in the defaults") {
     }
 }
 
+TEST_CASE("a pixel is one of the strip that a scene's eye sees and the step shows") {
+    check(kStep + "[step.set]\npixel = ^3", {"\"pixel\"", "a scene with an [eye]"});
+    const auto withEye = [](const std::filesystem::path& file) {
+        SceneDescription scene = sceneNamed(file);
+        scene.eye = EyeDescription{{0.0, 1.0}, {1.0, 0.0}, 60.0};
+        return scene;
+    };
+    const std::string seen = kHead + "[[step]]\ntitle = 'A'\nprose = 'B'\nshow = ['eye']\n[step.set]\n";
+    const auto refusal = [&](const std::string& text) -> std::string {
+        try {
+            parseLesson(text, "dir/01-x.toml", withEye);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return {};
+    };
+    CHECK(refusal(seen + "pixel = 255").empty());
+    CHECK(parseLesson(seen + "pixel = 255", "dir/01-x.toml", withEye).steps.front().values.pixel == 255u);
+    CHECK(refusal(seen + "pixel = 256").find("\"pixel\" is 256, expected a whole number from 0 to 255") !=
+          std::string::npos);
+    CHECK(refusal(seen + "pixel = -1").find("\"pixel\" is -1") != std::string::npos);
+    CHECK(refusal(seen + "pixel = 'left'").find("\"pixel\" is a string") != std::string::npos);
+    const std::string hidden = refusal(kStep + "[step.set]\npixel = 3");
+    CHECK(hidden.find("expected \"eye\" in \"show\"") != std::string::npos);
+    CHECK(hidden.find("dir/01-x.toml:") == 0);
+}
+
 TEST_CASE("faults of the markup are found in the middle of the prose") {
     check(kTerm + "prose = \"\"\"\nFirst line.\nSome \u222b ^[lihgt] here.\n\"\"\"",
           {"\"prose\": [lihgt]", "did you mean \"light\"?"});

@@ -119,8 +119,12 @@ double quantityOf(const SegmentIndex& index, Quantity quantity, const Trial& tri
         }
         case Quantity::variance:
             return error() * error() * out.samples;
+        case Quantity::spread:
+            return error() * std::sqrt(out.samples);
         case Quantity::standardError:
             return error();
+        case Quantity::relativeError:
+            return error() * std::sqrt(out.samples / trial.settings.samples) / std::abs(gray(out.irradiance));
         case Quantity::rays:
             return out.rays;
         case Quantity::nonFinite:

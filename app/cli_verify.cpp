@@ -1,6 +1,7 @@
 // halfdisk verify: is what the lessons claim true?
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "lessons/lesson_list.h"
 #include "lessons/scene_file.h"
 #include "lessons/translation.h"
+#include "lessons/typed_numbers.h"
 
 namespace halfdisk {
 namespace {
@@ -21,11 +23,13 @@ struct VerifyTexts {
     std::vector<std::string> lessons;  ///< slugs, numbers or files; none: all
     std::optional<std::string> threads;
     bool json = false;
+    bool prose = false;
 };
 
 struct Tally {
     std::size_t held = 0, failed = 0;
     Json claims = Json::array();
+    Json typed = Json::array();  ///< numbers of texts that no claim measures
 };
 
 /// The lesson files that are meant, each once.
@@ -47,6 +51,7 @@ Json claimJson(const Lesson& lesson, std::size_t step, const Claim& claim, const
     Json object;
     object["lesson"] = lesson.slug;
     object["step"] = step + 1;
+    if (!claim.name.empty()) object["name"] = claim.name;
     object["says"] = claim.says;
     object["measure"] = std::string(nameOf(kQuantities, claim.quantity));
     object["measured"] = jsonOf(result.value);
@@ -89,16 +94,39 @@ void verifyLesson(const Lesson& lesson, unsigned threads, bool asJson, Tally& ta
         }
 }
 
-/// Throws InputError if a lesson's words in another language are not its own.
-void checkTranslations(const std::filesystem::path& file) {
+/// The files with a lesson's words in other languages.
+std::vector<std::filesystem::path> translationsOf(const std::filesystem::path& file) {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+    std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         const std::filesystem::path words = entry.path() / file.filename();
         std::error_code ignored;
-        if (!std::filesystem::is_regular_file(words, ignored)) continue;
+        if (std::filesystem::is_regular_file(words, ignored)) files.push_back(words);
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+/// Throws InputError if a lesson's words in another language are not its own.
+void checkTranslations(const std::filesystem::path& file) {
+    for (const std::filesystem::path& words : translationsOf(file)) {
         Lesson lesson = loadLesson(file);
         translateLesson(lesson, words);
     }
+}
+
+/// Not wrong, but nobody would notice if they were: numbers that stand in a text as they were typed.
+void noteTypedNumbers(const std::filesystem::path& file, bool asJson, Tally& tally) {
+    std::vector<std::filesystem::path> files = translationsOf(file);
+    files.insert(files.begin(), file);
+    for (const std::filesystem::path& words : files)
+        for (const TypedNumber& number : typedNumbers(words)) {
+            tally.typed.push_back(
+                {{"file", words.string()}, {"line", number.where.line}, {"words", number.words}});
+            if (!asJson)
+                writeOutput(fmt::format("typed {}:{}:{}: {}\n", words.string(), number.where.line,
+                                        number.where.column, number.words));
+        }
 }
 
 int runVerify(const VerifyTexts& texts, const std::filesystem::path& folder) {
@@ -107,12 +135,20 @@ int runVerify(const VerifyTexts& texts, const std::filesystem::path& folder) {
     for (const std::filesystem::path& file : filesOf(texts, folder)) {
         checkTranslations(file);
         verifyLesson(loadLesson(file), threads, texts.json, tally);
+        if (texts.prose) noteTypedNumbers(file, texts.json, tally);
     }
     if (texts.json) {
-        writeJson(Json{{"claims", tally.claims}, {"held", tally.held}, {"failed", tally.failed}});
+        Json report{{"claims", tally.claims}, {"held", tally.held}, {"failed", tally.failed}};
+        if (texts.prose) report["typed"] = tally.typed;
+        writeJson(report);
     } else {
         const std::size_t claims = tally.held + tally.failed;
         writeOutput(fmt::format("{} claim{}, {} of them true\n", claims, claims == 1 ? "" : "s", tally.held));
+        if (texts.prose)
+            writeOutput(fmt::format("{} in bold as typed: no claim measures them\n",
+                                    tally.typed.size() == 1
+                                        ? "1 number stands"
+                                        : fmt::format("{} numbers stand", tally.typed.size())));
     }
     return tally.failed == 0 ? kExitSuccess : kExitFailure;
 }
@@ -128,6 +164,9 @@ void addVerifyCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
     command->add_option("--threads", texts->threads, "threads; the answer does not depend on it")
         ->type_name("T");
     command->add_flag("--json", texts->json, "print one JSON object");
+    command->add_flag(
+        "--prose", texts->prose,
+        "also list numbers in **bold** that are typed and not a claim's: nothing measures them");
     addLessonsFolder(*command, lessonsFolder);
     command->footer(
         "A claim stands in a lesson's file: [[step.claim]] with a sentence, what is measured, and a number. "
@@ -135,6 +174,7 @@ void addVerifyCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
         "not true is told with file, line and what was measured; the exit code is then 1.\n\nExamples:\n"
         "  halfdisk verify\n"
         "  halfdisk verify caustic 4 --json\n"
+        "  halfdisk verify --prose\n"
         "  halfdisk verify ~/my-course/01-light.toml");
     command->callback([&chosen, texts, &lessonsFolder] {
         chosen = [texts, &lessonsFolder] { return runVerify(*texts, lessonsFolder); };

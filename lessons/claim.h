@@ -24,12 +24,14 @@ enum class Quantity : std::uint8_t {
     exact,
     error,
     variance,
+    spread,
     standardError,
+    relativeError,
     rays,
     nonFinite
 };
 
-inline constexpr std::array<Named<Quantity>, 10> kQuantities{{
+inline constexpr std::array<Named<Quantity>, 12> kQuantities{{
     {Quantity::irradiance, "irradiance", "E at P, W/m"},
     {Quantity::direct, "direct", "the part of E that was never scattered, W/m (cast-ray)"},
     {Quantity::indirect, "indirect", "the part of E that was, W/m (cast-ray)"},
@@ -37,7 +39,9 @@ inline constexpr std::array<Named<Quantity>, 10> kQuantities{{
     {Quantity::exact, "exact", "the exact E, where it is known, W/m"},
     {Quantity::error, "error", "how far E is off the exact one, as a share of it"},
     {Quantity::variance, "variance", "of one sample's estimate of E, (W/m)^2: N times that of a mean of N"},
+    {Quantity::spread, "spread", "of one sample's estimate of E, W/m: the root of the variance"},
     {Quantity::standardError, "standardError", "of E, over the repeats, W/m"},
+    {Quantity::relativeError, "relativeError", "typical error of one run of N samples, as a share of E"},
     {Quantity::rays, "rays", "how many were cast, in one repeat"},
     {Quantity::nonFinite, "nonFinite", "how many values were infinite or not a number"},
 }};
@@ -61,7 +65,8 @@ struct Trial {
 };
 
 struct Claim {
-    std::string says;  ///< the sentence that is to be true
+    std::string name{};  ///< by which the lesson's texts show the number; empty if they don't
+    std::string says;    ///< the sentence that is to be true
     Quantity quantity = Quantity::irradiance;
     Trial of;
     std::optional<Trial> over;  ///< what is measured is divided by the same of this one

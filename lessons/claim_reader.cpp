@@ -54,8 +54,10 @@ std::string relationNames() {
 
 }  // namespace
 
-Claim readClaim(const std::string& file, const TomlValue& value, const Scene& scene, const StepValues& step) {
+Claim readClaim(const LessonText& text, const TomlValue& value, const Scene& scene, const StepValues& step) {
+    const std::string& file = text.file;
     TableReader table(file, readTable(file, "claim", value), value.where, "[[step.claim]]");
+    const TomlValue* name = table.optional("name");
     const TomlValue* says = table.required("says");
     const TomlValue* quantity = table.required("measure");
     const TomlValue* with = table.optional("with");
@@ -76,7 +78,8 @@ Claim readClaim(const std::string& file, const TomlValue& value, const Scene& sc
         failAt(file, value.where,
                fmt::format("the claim has no number, expected one of {}", relationNames()));
 
-    claim.says = readText(file, "says", *says, kSentenceRule);
+    if (name != nullptr) claim.name = readClaimName(file, *name);
+    claim.says = readWords(text, "says", *says, kSentenceRule);
     claim.quantity = readNamed(file, "measure", *quantity, kQuantities);
     claim.number = readNumber(file, nameOf(kRelations, claim.relation), *number, kNumberRule);
     claim.where = number->where;

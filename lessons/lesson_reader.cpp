@@ -24,10 +24,10 @@ constexpr std::uint64_t kMostEvents = 1'000'000'000;
 class LessonReader {
  public:
     LessonReader(std::string_view text, std::filesystem::path path, const SceneLoader& sceneLoader)
-        : text_(text), path_(std::move(path)), file_(path_.string()), sceneLoader_(sceneLoader) {}
+        : path_(std::move(path)), file_(path_.string()), text_{file_, text}, sceneLoader_(sceneLoader) {}
 
     Lesson read() {
-        const TomlValue document = parseToml(text_, file_);
+        const TomlValue document = parseToml(text_.text, file_);
         TableReader table(file_, std::get<TomlTable>(document.data), document.where, "a lesson file");
         const TomlValue* title = table.required("title");
         const TomlValue* section = table.required("section");
@@ -44,6 +44,7 @@ class LessonReader {
         if (defaults != nullptr) readValues("[defaults]", "defaults", *defaults, defaults_);
         if (terms != nullptr)
             for (const TomlValue& term : listOfTables("term", *terms, kMostTerms)) readTerm(term);
+        text_.numbers = readNamedNumbers(file_, *steps);
         for (const TomlValue& step : listOfTables("step", *steps, kMostSteps)) readStep(step);
         if (lesson_.steps.empty())
             failAt(file_, steps->where, "\"step\" has no elements, expected at least one [[step]]");
@@ -150,7 +151,7 @@ class LessonReader {
         if (question != nullptr) step.question = readQuestion(*question);
         if (claims != nullptr)
             for (const TomlValue& claim : listOfTables("claim", *claims, kMostClaims))
-                step.claims.push_back(readClaim(file_, claim, scene_, step.values));
+                step.claims.push_back(readClaim(text_, claim, scene_, step.values));
         lesson_.steps.push_back(std::move(step));
     }
 
@@ -182,7 +183,7 @@ class LessonReader {
         const TomlValue* lines = table.optional("lines");
         table.finish();
         const GoalQuantity quantity = readNamed(file_, "reach", *reach, kGoalQuantities);
-        const std::string says_ = readText(file_, "says", *says, kMeaningRule);
+        const std::string says_ = readWords(text_, "says", *says, kMeaningRule);
         if (quantity == GoalQuantity::line) return lineGoal(says_, value, lines, atLeast, atMost);
         if (lines != nullptr)
             failAt(file_, lines->where, "\"lines\" belong to a goal that reaches a \"line\"");
@@ -227,12 +228,12 @@ class LessonReader {
     }
 
     Prose readProse(std::string_view key, const TomlValue& value) const {
-        return halfdisk::readProse(file_, text_, key, value, lesson_.terms);
+        return halfdisk::readProse(text_, key, value, lesson_.terms);
     }
 
-    std::string_view text_;
     std::filesystem::path path_;
     std::string file_;
+    LessonText text_;
     const SceneLoader& sceneLoader_;
     Lesson lesson_;
     Scene scene_;

@@ -17,18 +17,40 @@ std::size_t offsetOf(std::string_view text, TextPosition where) {
     return std::min(at, text.size());
 }
 
+[[noreturn]] void failInText(const LessonText& text, std::string_view key, const TomlValue& value,
+                             const MarkupError& error) {
+    failAt(text.file, placeOf(text.text, value.where, error.snippet),
+           fmt::format("\"{}\": {}", key, error.what()));
+}
+
 }  // namespace
 
-Prose readProse(const std::string& file, std::string_view text, std::string_view key, const TomlValue& value,
-                const std::vector<Term>& terms) {
-    const std::string marked = readText(file, key, value, kProseRule);
+TextPosition placeOf(std::string_view text, TextPosition from, std::string_view snippet) {
+    const std::size_t found = text.find(snippet, offsetOf(text, from));
+    return found == std::string_view::npos ? from : positionOf(text, found);
+}
+
+std::string readWords(const LessonText& text, std::string_view key, const TomlValue& value,
+                      const TextRule& rule) {
+    const std::string words = readText(text.file, key, value, rule);
     try {
-        return parseProse(marked, terms);
+        return withNumbers(words, text.numbers);
     } catch (const MarkupError& error) {
-        // What was written with TOML's own escapes is not found again; then the start of the text must do.
-        const std::size_t found = text.find(error.snippet, offsetOf(text, value.where));
-        failAt(file, found == std::string_view::npos ? value.where : positionOf(text, found),
-               fmt::format("\"{}\": {}", key, error.what()));
+        failInText(text, key, value, error);
+    }
+}
+
+Prose readProse(const LessonText& text, std::string_view key, const TomlValue& value,
+                const std::vector<Term>& terms) {
+    const std::string marked = readText(text.file, key, value, kProseRule);
+    try {
+        Prose asWritten = parseProse(marked, terms);
+        const std::string filled = withNumbers(marked, text.numbers);
+        // Numbers hold no markup, so that only what was written can be wrong; faults of it were told where
+        // they stand.
+        return filled == marked ? std::move(asWritten) : parseProse(filled, terms);
+    } catch (const MarkupError& error) {
+        failInText(text, key, value, error);
     }
 }
 

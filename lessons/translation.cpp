@@ -14,18 +14,23 @@ namespace {
 class TranslationReader {
  public:
     TranslationReader(Lesson& lesson, const std::filesystem::path& path)
-        : lesson_(lesson), text_(readTextFile(path)), file_(path.string()) {}
+        : lesson_(lesson),
+          content_(readTextFile(path)),
+          file_(path.string()),
+          text_{file_, content_, namedNumbers(lesson)} {}
 
     void read() {
-        const TomlValue document = parseToml(text_, file_);
+        const TomlValue document = parseToml(content_, file_);
         TableReader table(file_, std::get<TomlTable>(document.data), document.where, "a translation");
         const TomlValue* title = table.required("title");
         const TomlValue* section = table.required("section");
+        const TomlValue* decimalPoint = table.optional("decimalPoint");
         const TomlValue* terms = table.optional("term");
         const TomlValue* steps = table.required("step");
         table.finish();
         lesson_.title = readText(file_, "title", *title, kHeadingRule);
         lesson_.section = readText(file_, "section", *section, kHeadingRule);
+        if (decimalPoint != nullptr) text_.numbers.decimalPoint = readDecimalPoint(*decimalPoint);
         readTerms(terms, document.where);
         const TomlArray& tables = readArray(file_, "step", *steps, "tables [[step]]");
         expectCount("[[step]]", tables.size(), lesson_.steps.size(), steps->where);
@@ -33,6 +38,14 @@ class TranslationReader {
     }
 
  private:
+    std::string readDecimalPoint(const TomlValue& value) const {
+        std::string point = readText(file_, "decimalPoint", value, {1, false, false});
+        if (point != "." && point != ",")
+            failAt(file_, value.where,
+                   fmt::format("\"decimalPoint\" is \"{}\", expected \".\" or \",\"", excerpt(point)));
+        return point;
+    }
+
     void expectCount(std::string_view what, std::size_t found, std::size_t expected,
                      TextPosition where) const {
         if (found != expected)
@@ -65,15 +78,16 @@ class TranslationReader {
         const TomlValue* goal = step.goal ? table.required("goal") : nullptr;
         table.finish();
         step.title = readText(file_, "title", *title, kHeadingRule);
-        step.prose = readProse(file_, text_, "prose", *prose, lesson_.terms);
-        if (goal) step.goal->says = readText(file_, "goal", *goal, kMeaningRule);
+        step.prose = readProse(text_, "prose", *prose, lesson_.terms);
+        if (goal) step.goal->says = readWords(text_, "goal", *goal, kMeaningRule);
         if (ask)
-            step.question = Question{readProse(file_, text_, "ask", *ask, lesson_.terms),
-                                     readProse(file_, text_, "answer", *answer, lesson_.terms)};
+            step.question = Question{readProse(text_, "ask", *ask, lesson_.terms),
+                                     readProse(text_, "answer", *answer, lesson_.terms)};
     }
 
     Lesson& lesson_;
-    std::string text_, file_;
+    std::string content_, file_;
+    LessonText text_;
 };
 
 std::filesystem::path translationOf(const std::filesystem::path& lessonFile, const std::string& language) {

@@ -3,7 +3,8 @@
 //
 // lessons/de/NN-slug.toml is the German of lessons/NN-slug.toml: title, section, every [[term]] (name,
 // meaning) and every [[step]] (title, prose, and ask, answer, goal where the step has them), in the same
-// order.
+// order. Their texts may show the numbers of the lesson's claims, with decimalPoint = "," if the language
+// writes one.
 #pragma once
 
 #include <filesystem>

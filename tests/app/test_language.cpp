@@ -487,12 +487,20 @@ TEST_CASE("what is wrong with a file is told in German, and where it is stays") 
     const std::string head = "title = 'T'\nsection = 'S'\nscene = 's.toml'\n",
                       step = "[[step]]\ntitle = 'A'\n";
     const std::string all = head + step + "prose = 'P'\n";
+    const std::string claim = "[[step.claim]]\nsays = '{a:x} {b}'\nmeasure = 'rays'\nequals = 1\nname = '";
     const std::string texts[] = {"",
                                  head,
                                  head + step,
                                  head + "[step]",
                                  head + step + "prose = 'a *b'",
                                  head + step + "prose = 'a [ray] b'",
+                                 head + step + "prose = 'a {ray} b'",
+                                 head + step + "prose = 'a {ray b'",
+                                 head + step + "prose = 'a } b'",
+                                 all + claim + "b'",
+                                 all + claim + "a'",
+                                 all + claim + "two words'",
+                                 all + claim + "a'\n" + claim + "a'",
                                  all + "unlock = ['seed']",
                                  all + "unlock = 'sed'",
                                  all + "show = ['ray']",

@@ -1,9 +1,12 @@
 // Does `halfdisk verify` tell true claims from false ones, with their places?
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "lessons/lesson_file.h"
 #include "run_program.h"
 
 using namespace halfdisk_test;
@@ -76,6 +79,69 @@ TEST_CASE("verify: what can't be measured is refused with its place") {
     refused("measure = 'exact'\nwith = { depth = 9 }\nequals = 1\n", "exact E is not known");
     refused("measure = 'rays'\nequals = 'many'\n", "\"equals\" is a string");
     CHECK(runProgram({"verify", "no-such-lesson"}).exitCode == 2);
+}
+
+TEST_CASE("verify: one number changed in a lesson changes its text and is found out") {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "scenes");
+    std::filesystem::copy_file(shippedScene("open_court.toml"), folder / "scenes" / "open_court.toml");
+    const std::filesystem::path file = folder / "21-requirements.toml";
+    std::ifstream stream(std::filesystem::path(HALFDISK_SHIPPED_SCENES).parent_path() /
+                         "21-requirements.toml");
+    std::string text{std::istreambuf_iterator<char>(stream), {}};
+    const auto writeLesson = [&] { std::ofstream(file) << text; };
+    const auto firstText = [&] { return halfdisk::plainText(halfdisk::loadLesson(file).steps.at(0).prose); };
+
+    writeLesson();
+    CHECK(runProgram({"verify", file.string()}).exitCode == 0);
+    CHECK(firstText().find("2 · sin 14° = 0.485") != std::string::npos);
+
+    const std::string number = "equals = 0.4850";
+    const std::size_t at = text.find(number);
+    REQUIRE(at != std::string::npos);
+    text.replace(at, number.size(), "equals = 0.4950");
+    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    writeLesson();
+    CHECK(firstText().find("2 · sin 14° = 0.495") != std::string::npos);
+    const Outcome outcome = runProgram({"verify", file.string()});
+    CHECK(outcome.exitCode == 1);
+    INFO(outcome.err);
+    CHECK(outcome.err.find(file.string() + ":" + std::to_string(line) + ":10: not true: \"") == 0);
+    CHECK(outcome.err.find("2 sin 14° = 0.495") != std::string::npos);
+    CHECK(outcome.err.find("exact is 0.485071") != std::string::npos);
+}
+
+TEST_CASE("verify: numbers that are typed in bold are listed when asked for") {
+    const TemporaryFolder folder;
+    const std::string file =
+        lessonWith(folder,
+                   "name = 'none'\nmeasure = 'nonFinite'\nequals = 0\n"
+                   "[[step]]\ntitle = 'B'\nprose = 'There are **{none}**, not **12**.'\n");
+    const Outcome plain = runProgram({"verify", file});
+    CHECK(plain.exitCode == 0);
+    CHECK(plain.out.find("typed") == std::string::npos);
+    const Outcome listed = runProgram({"verify", file, "--prose"});
+    CHECK(listed.exitCode == 0);
+    CHECK(listed.out.find("typed " + file + ":17:36: 12\n") != std::string::npos);
+    CHECK(listed.out.find("1 number stands in bold as typed") != std::string::npos);
+    const auto object = nlohmann::json::parse(runProgram({"verify", file, "--prose", "--json"}).out);
+    CHECK(object["typed"].size() == 1);
+    CHECK(object["typed"][0]["words"] == "12");
+    CHECK(object["claims"][0]["name"] == "none");
+}
+
+TEST_CASE("verify: the spread is the root of the variance, and the relative error what one run has") {
+    const TemporaryFolder folder;
+    const auto measured = [&](const std::string& quantity) {
+        const Outcome outcome = runProgram(
+            {"verify", "--json",
+             lessonWith(folder, "measure = '" + quantity + "'\nwith = { repeats = 100 }\nequals = 0\n")});
+        return nlohmann::json::parse(outcome.out)["claims"][0]["measured"].get<double>();
+    };
+    const double variance = measured("variance");
+    CHECK(measured("spread") == doctest::Approx(std::sqrt(variance)));
+    // A run has 4 samples.
+    CHECK(measured("relativeError") == doctest::Approx(std::sqrt(variance / 4) / measured("irradiance")));
 }
 
 TEST_CASE("verify: every claim of the shipped lessons is true") {

@@ -49,7 +49,7 @@ std::vector<Extreme> extremes() {
     add("a mix of no mirror", room(Mix{Diffuse{Rgb(1.0)}, Glossy{Rgb(1.0), 50.0}, 0.0}, white));
     Scene touching = room(white, white);
     touching.segments.push_back(wallOf({2.0, 0.3}, {1.6, 0.0}, 0, Rgb(2.0)));
-    touching.segmentNames.push_back("lamp in the corner");
+    touching.segmentNames.emplace_back("lamp in the corner");
     touching.lights.push_back(PointLight{{0.0, 1.0}, Rgb(1.0)});
     touching.lights.push_back(PointLight{{0.4, 0.0}, Rgb(1.0)});
     add("lights that touch walls", touching);

@@ -38,11 +38,15 @@ std::string sentence(std::string words) {
 }
 
 /// Numbers of the window stand apart from each other; read aloud they need a stop between them.
-std::string readAloud(std::string values) {
+std::string readAloud(std::string_view values) {
     constexpr std::string_view kGap = "   ";
-    for (std::size_t at = values.find(kGap); at != std::string::npos; at = values.find(kGap, at))
-        values.replace(at, kGap.size(), "; ");
-    return values;
+    std::string read;
+    for (std::size_t gap = values.find(kGap); gap != std::string_view::npos; gap = values.find(kGap)) {
+        read += values.substr(0, gap);
+        read += "; ";
+        values.remove_prefix(gap + kGap.size());
+    }
+    return read.append(values);
 }
 
 /// Those of the lesson's words that the step explains on hover.

@@ -47,7 +47,7 @@ void scrub(const Ui& ui, std::size_t count) {
     const int most = static_cast<int>(std::min(count, kMost));
     const std::string position =
         playback.stepping ? fmt::format("%d / {}", count) : std::string(tr("whole run"));
-    int event = playback.stepping ? static_cast<int>(std::min<std::size_t>(playback.event, kMost)) : most;
+    int event = playback.stepping ? static_cast<int>(std::min({playback.event, count, kMost})) : most;
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
     ImGui::BeginDisabled(count == 0);
     if (sliderInt(ui.widgets, "##scrub", event, 0, std::max(most, 1), false, position.c_str()))

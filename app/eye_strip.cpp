@@ -117,9 +117,8 @@ void drawTitle(const Ui& ui, ImVec2 origin, float width, const std::string& left
 }
 
 std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, std::size_t side,
-                                     const StripDifferences& exact, float width) {
+                                     const StripDifferences& exact, bool withDifference, float width) {
     const LightPicture* picture = row.picture && !row.picture->colors.empty() ? row.picture : nullptr;
-    const bool withDifference = hasExactRow(ui.state);
     const ImVec2 origin = ImGui::GetCursorScreenPos(), size{width, rowHeight(ui, withDifference)};
     const bool clicked = ImGui::InvisibleButton(row.name, size);
     mark(ui.widgets, row.name, origin, {origin.x + size.x, origin.y + size.y});
@@ -185,23 +184,28 @@ void drawExactRow(const Ui& ui, const StripDifferences& exact, float width) {
     list.AddRect(place.min, place.max, ui.palette.wallBack);
 }
 
-}  // namespace
-
-float eyeStripHeight(const Ui& ui) {
-    const float gap = ImGui::GetStyle().ItemSpacing.y;
-    const bool exact = hasExactRow(ui.state);
-    const float rows = ui.state.makers.second ? 2 * rowHeight(ui, exact) + gap : rowHeight(ui, exact);
-    return exact ? rows + gap + rowHeight(ui, false) : rows;
+float heightOf(const Ui& ui, bool withExact) {
+    const float gap = ImGui::GetStyle().ItemSpacing.y, row = rowHeight(ui, withExact);
+    const float rows = ui.state.makers.second ? 2 * row + gap : row;
+    return withExact ? rows + gap + rowHeight(ui, false) : rows;
 }
 
-void eyeStrip(const Ui& ui, float width) {
+}  // namespace
+
+float eyeStripHeight(const Ui& ui, float room) {
+    const bool withExact = hasExactRow(ui.state) && heightOf(ui, true) <= 0.5f * room;
+    return heightOf(ui, withExact);
+}
+
+void eyeStrip(const Ui& ui, ImVec2 size) {
     std::optional<std::uint32_t> pixel;
-    const OnSheet drawing(ui, "eye", {width, eyeStripHeight(ui)});
-    const StripDifferences exact = stripDifferences(ui.state);
+    const OnSheet drawing(ui, "eye", size);
+    const bool withExact = hasExactRow(ui.state) && size.y >= heightOf(ui, true);
+    const StripDifferences exact = withExact ? stripDifferences(ui.state) : StripDifferences{};
     const std::vector<Row> rows = rowsOf(ui.state);
     for (std::size_t side = 0; side < rows.size(); ++side)
-        if (const auto under = drawRow(ui, rows[side], side, exact, width)) pixel = under;
-    if (hasExactRow(ui.state)) drawExactRow(ui, exact, width);
+        if (const auto under = drawRow(ui, rows[side], side, exact, withExact, size.x)) pixel = under;
+    if (withExact) drawExactRow(ui, exact, size.x);
     // It lights up on the canvas.
     if (pixel != ui.state.eyePixel) ui.commands.push_back(LookAlong{pixel});
 }

@@ -28,8 +28,9 @@ void beginColumn(const char* name, float x, float width, float top, ImGuiWindowF
 void scenePanels(const Ui& ui, ImVec2 size) {
     if (!ui.state.shows(View::eye)) return canvasPanel(ui, size);
     const float gap = ImGui::GetStyle().ItemSpacing.y;
-    canvasPanel(ui, {size.x, size.y - eyeStripHeight(ui) - gap});
-    eyeStrip(ui, size.x);
+    const float strips = eyeStripHeight(ui, size.y);
+    canvasPanel(ui, {size.x, size.y - strips - gap});
+    eyeStrip(ui, {size.x, strips});
 }
 
 void stage(const Ui& ui) {

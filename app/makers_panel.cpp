@@ -111,7 +111,12 @@ void chooseScale(const Ui& ui) {
 void differenceSwitch(const Ui& ui) {
     const AppState& state = ui.state;
     const bool eye = state.shows(View::eye) && state.scene->scene.eye;
-    if (!state.scene->visibility || !(eye || state.shows(View::profile))) return;
+    if (!(eye || state.shows(View::profile))) return;
+    if (!state.scene->visibility) {
+        if (state.shows(View::difference))
+            textWrapped(ui.widgets, "no exact answer: not all walls are matt, or there are too many");
+        return;
+    }
     bool on = state.shows(View::difference);
     sameLineIfFits("Difference");
     if (toggle(ui.widgets, "Difference", on)) ui.commands.push_back(SetView{View::difference, on});

@@ -11,8 +11,9 @@ void numbersPanel(const Ui& ui);
 void codePanel(const Ui& ui, ImVec2 size);
 void canvasPanel(const Ui& ui, ImVec2 size);
 /// A row of this height (pixels); its words lie above the strip.
-void eyeStrip(const Ui& ui, float width);
-float eyeStripHeight(const Ui& ui);
+void eyeStrip(const Ui& ui, ImVec2 size);
+/// Where the exact strip would leave too little of `room` to the canvas, it is not shown.
+float eyeStripHeight(const Ui& ui, float room);
 /// In place of the settings while the scene is being changed.
 void editPanel(const Ui& ui);
 /// A part of it: what is selected, or else the sky.

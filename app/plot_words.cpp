@@ -7,6 +7,7 @@
 
 #include "app/canvas_words.h"
 #include "app/draw_text.h"
+#include "app/exact_stages.h"
 #include "app/goal_check.h"
 #include "app/histogram.h"
 #include "app/language.h"
@@ -111,11 +112,26 @@ std::string refusals(const AppState& state, View view) {
     return words;
 }
 
-std::string costWords(const LightPicture& picture) {
+std::string costWords(const AppState& state, View view, const ShownPicture& one) {
+    const LightPicture& picture = *one.picture;
     std::string words = say("{} rays", picture.film.counts.rays);
     if (picture.noise) words += say(", noise {:.2g} %", 100.0 * *picture.noise);
+    const std::optional<double> error = errorOf(*state.answer, view, one.second ? 1 : 0);
+    if (error) words += say(", {:.2g} % from the exact one", 100.0 * *error);
     if (!picture.complete) words += tr(", not complete yet");
     return words;
+}
+
+/// What the picture should be, where that is asked for.
+std::string exactWords(const AppState& state, View view, std::string_view unit, std::string_view ends) {
+    if (!state.shows(View::difference) || (view != View::eye && view != View::profile)) return {};
+    const auto& exact = state.answer->exactPictures[0].of(view);
+    if (!exact) return fmt::format("\n{}", tr("The exact one is not known."));
+    std::vector<double> values;
+    for (const Rgb& pixel : *exact) values.push_back(gray(pixel));
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    return say("\nThe exact one: from {} to {} {}.\nMean of eight equal parts {}: {}.", shown(*least),
+               shown(*most), unit, ends, listed(partMeans(values, kParts)));
 }
 
 /// What `where` says of the brightest pixel, and eight parts from one end to the other.
@@ -126,11 +142,12 @@ std::string rowWords(const AppState& state, View view, std::string_view unit, st
         const std::vector<double> values = graysOf(*shownOne.picture);
         const auto [least, most] = std::minmax_element(values.begin(), values.end());
         words += say("{}{} ({}): from {} to {} {}, most {}.\nMean of eight equal parts {}: {}.",
-                     words.empty() ? "" : "\n", shownOne.maker, costWords(*shownOne.picture), shown(*least),
-                     shown(*most), unit,
+                     words.empty() ? "" : "\n", shownOne.maker, costWords(state, view, shownOne),
+                     shown(*least), shown(*most), unit,
                      where(*shownOne.picture, static_cast<std::uint32_t>(most - values.begin())), ends,
                      listed(partMeans(values, kParts)));
     }
+    words += exactWords(state, view, unit, ends);
     const std::string refused = refusals(state, view);
     if (!words.empty() && !refused.empty()) words += '\n';
     words += refused;
@@ -171,7 +188,7 @@ std::string fieldWords(const AppState& state) {
             "{} "
             "rows "
             "from the top:",
-            words.empty() ? "" : "\n", shownOne.maker, costWords(*shownOne.picture), shown(*least),
+            words.empty() ? "" : "\n", shownOne.maker, costWords(state, View::field, shownOne), shown(*least),
             shown(*most), placeWords({at[0], at[1]}), across, down);
         for (std::uint32_t part = 0; part < down; ++part) {
             std::vector<double> row(field.width, 0.0);

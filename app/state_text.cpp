@@ -118,9 +118,11 @@ void addCastRaySettings(WordsPage& page, const Settings& settings) {
 
 void addSettings(WordsPage& page, const AppState& state) {
     const Settings& settings = state.settings;
-    const bool castRay = state.run == Run::castRay;
+    // Of a pixel another run than the one that is chosen may be shown.
+    const Run run = state.answer && state.answer->pathRun ? state.answer->asked.run : state.run;
+    const bool castRay = run == Run::castRay;
     page.heading(tr("Settings"));
-    page.fact(tr("run"), fmt::format("{} ({})", nameOf(kRuns, state.run), tr(meaningOf(state.run))));
+    page.fact(tr("run"), fmt::format("{} ({})", nameOf(kRuns, run), tr(meaningOf(run))));
     page.fact(tr(castRay ? "N, samples per bounce" : "N, paths"), std::to_string(settings.samples));
     page.fact("maxDepth", std::to_string(settings.maxDepth));
     page.fact("seed", std::to_string(settings.seed));
@@ -148,6 +150,7 @@ void addMakers(WordsPage& page, const AppState& state) {
     if (state.makers.second) {
         if (state.makers.first) add(tr("estimator A of the pictures"), *state.makers.first);
         add(tr("estimator B of the pictures"), *state.makers.second);
+        page.fact(tr("equal"), tr(kBudgets[static_cast<std::size_t>(state.makers.equal)].meaning));
         return;
     }
     if (state.makers.first) return add(tr("estimator of the pictures"), *state.makers.first);

@@ -198,7 +198,7 @@ void drawLegend(const Ui& ui, const StrategyGrid& grid, const Cells& cells, floa
     if (ui.state.strategiesAlone)
         lines.push_back(
             {say("each by itself: light is counted several times"), say("counted several times")});
-    else
+    else if (grid.white > 0.0)
         lines.push_back({say("shares of all light: together 100 %"), say("together 100 %")});
     const std::string white = grid.white > 0.0 ? say("white: \u2265 {} {}", shown(grid.white), unitOf(grid))
                                                : std::string(tr("all black"));

@@ -33,7 +33,7 @@
 //   ask = "..."
 //   answer = "..."
 //   [[step.claim]]                 # checked by halfdisk verify; measured as the step is set
-//   name = "noise"                 # texts show its number: {noise}, {noise:2}, {noise:%}; see named_numbers.h
+//   name = "noise"                 # texts show its number: {noise}; see named_numbers.h
 //   says = "..."
 //   measure = "variance"           # one of kQuantities
 //   with = { samples = 8 }         # what differs from the step: its keys, specular, estimator, params,

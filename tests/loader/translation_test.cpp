@@ -88,7 +88,8 @@ TEST_CASE("a translation that is not the lesson's is refused with its place, and
         });
     };
     check("^" + kHead + kFirst + kSecond, {"number of [[term]] in the translation is 0", "expected 1"});
-    check(kHead + kTerm + "^" + kFirst, {"number of [[step]] in the translation is 1", "expected 2", "01-light.toml"});
+    check(kHead + kTerm + "^" + kFirst,
+          {"number of [[step]] in the translation is 1", "expected 2", "01-light.toml"});
     check(kHead + kTerm + kFirst + "^[[step]]\ntitle = 'Zweitens'\nprose = 'B'\n", {"goal"});
     check(kHead + kTerm + "^[[step]]\ntitle = 'E'\nprose = 'B'\nanswer = 'x'\n" + kSecond, {"ask"});
     check(kHead + kTerm + kFirst + kSecond + "^ask = 'Was?'\n", {"ask"});

@@ -14,6 +14,15 @@ namespace {
 
 constexpr double kDegrees = 180.0 / kPi;
 
+/// Six cells; the last three are empty where one sample alone has no error.
+void addWithError(CsvText& table, const Statistics& value) {
+    table.cell(value.mean);
+    if (hasError(value))
+        table.cell(value.standardError());
+    else
+        table.empty(3);
+}
+
 /// What the pixels of the first maker should be; without errors.
 void addExact(CsvText& table, const AppState& state, View view) {
     if (!state.answer || view == View::field) return;
@@ -41,11 +50,7 @@ void addPixels(CsvText& table, const AppState& state, View view) {
             table.cell(std::string_view(shown.maker));
             const std::array<double, 2> place = places.at(pixel);
             for (std::size_t i = 0; i < coordinates; ++i) table.cell(place[i]);
-            table.cell(value.mean);
-            if (hasError(value))
-                table.cell(value.standardError());
-            else
-                table.empty(3);
+            addWithError(table, value);
             table.endRow();
         }
     }
@@ -122,13 +127,7 @@ std::string strategiesTable(const AppState& state) {
     if (!grid || grid->film.whole.passes == 0) return table.text();
     const PixelPlaces places(grid->sensor, state.answer->asked.scene->index);
     const auto numbers = [&](const Statistics& weighted, const Statistics& alone) {
-        for (const Statistics& value : {weighted, alone}) {
-            table.cell(value.mean);
-            if (hasError(value))
-                table.cell(value.standardError());
-            else
-                table.empty(3);
-        }
+        for (const Statistics& value : {weighted, alone}) addWithError(table, value);
         table.endRow();
     };
     const StrategyFilm& film = grid->film;

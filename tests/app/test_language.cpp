@@ -209,7 +209,7 @@ std::string roomOf(const std::string& material) {
 
 }  // namespace
 
-TEST_CASE("a language keeps every placeholder, and a file that does not is refused with its place") {
+TEST_CASE("a language keeps every value in braces, and a file that does not is refused with its place") {
     const std::string good = "name = 'X'\n[words]\n'a {} b {:.3f}' = 'c {} d {:.3f}'\n";
     const Language language = parseLanguage(good, "x.toml", "x");
     CHECK(language.words.at("a {} b {:.3f}") == "c {} d {:.3f}");

@@ -13,6 +13,7 @@
 #include "app/prepared_scene.h"
 #include "app/strategy_grid.h"
 #include "core/estimate.h"
+#include "core/exact_field.h"
 #include "core/light_way.h"
 #include "core/path_run.h"
 #include "core/recorder.h"
@@ -53,9 +54,11 @@ struct PictureSet {
     }
 };
 
-/// What the same pictures would be without noise, mean of every pixel; null: not wanted, or not known.
+/// What the same pictures would be without noise, mean of every pixel (of `of`: not the field); null: not
+/// wanted, or not known.
 struct ExactPictures {
     std::shared_ptr<const std::vector<Rgb>> eye, profile;
+    std::shared_ptr<const KnownCells> field;  ///< of some cells
 
     std::shared_ptr<const std::vector<Rgb>>& of(View view) { return view == View::eye ? eye : profile; }
     const std::shared_ptr<const std::vector<Rgb>>& of(View view) const {

@@ -25,6 +25,7 @@ struct LightPicture {
     std::string refusal;          ///< not empty: why there is no picture
     double seconds = 0.0;         ///< that it took, preparation included
     double passSeconds = 0.0;     ///< its passes alone
+    bool firstLook = false;       ///< coarse, until the one that was asked for is prepared
     bool complete = false;
 };
 

@@ -74,6 +74,7 @@ void costLine(const Ui& ui, View view, std::size_t side) {
     const bool byTime = answer.asked.makers.second && answer.asked.makers.equal == Budget::time;
     std::string words = byTime ? say("{:.2g} million rays in {:.2f} s", rays / 1e6, picture->seconds)
                                : say("{:.2g} million rays", rays / 1e6);
+    if (picture->firstLook) words += fmt::format("\n{}", tr("a coarse first look"));
     if (picture->noise) words += say("\nnoise {} %", percent(*picture->noise));
     const std::optional<double> error = errorOf(answer, view, side);
     if (error) words += say(", error {} %", percent(*error));
@@ -82,9 +83,8 @@ void costLine(const Ui& ui, View view, std::size_t side) {
     ImGui::PopStyleColor();
     tooltip(error ? "Noise: the root mean square standard error of the pixels, as a share of their mean. "
                     "Error: that "
-                    "of their differences from the exact picture. Where it is clearly more than the noise, "
-                    "light is "
-                    "missing or is counted wrongly."
+                    "of their differences from the exact picture (of a field at some 400 of its cells). "
+                    "Where it is clearly more than the noise, light is missing or is counted wrongly."
                   : "Noise: the root mean square standard error of the pixels, as a share of their mean. "
                     "Light that an "
                     "estimator cannot find at all does not show in it.");

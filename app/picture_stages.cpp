@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/false_color.h"
+#include "app/first_look.h"
 #include "app/light_answer.h"
 #include "app/tone.h"
 #include "core/estimators.h"
@@ -33,7 +34,8 @@ std::uint64_t mostPasses(const Film& film, Budget budget) {
 
 /// More at once as there are more: the first picture comes soon, and later ones are not copied for nothing.
 std::uint64_t nextBatch(const Film& film, double pathsPerPass, Budget budget) {
-    const auto least = static_cast<std::uint64_t>(std::max(1.0, kPathsPerBatch / pathsPerPass));
+    const auto usual = static_cast<std::uint64_t>(std::max(1.0, kPathsPerBatch / pathsPerPass));
+    const std::uint64_t least = film.passes == 0 ? 1 : film.passes < usual ? usual - film.passes : usual;
     const std::uint64_t most = budget == Budget::time ? kMostPassesInTime : kMostPasses;
     return std::min(std::max(least, film.passes / 2), most - film.passes);
 }
@@ -135,6 +137,44 @@ void prepare(std::unique_ptr<PictureWork>& work, const LightQuestion& asked, Vie
     }
 }
 
+/// One coarse pass of what will take long to prepare; null where that is quick, or if cancelled on the way.
+std::shared_ptr<const LightPicture> firstLook(const LightQuestion& asked, View view, const Maker& maker,
+                                              const std::atomic<bool>& cancelled) {
+    const std::optional<Maker> look = firstLookOf(maker);
+    const std::optional<Sensor> sensor = look ? sensorOf(view, asked) : std::nullopt;
+    if (!sensor) return nullptr;
+    try {
+        PictureWork work(asked, coarse(*sensor), *look, cancelled);
+        if (work.picture()->complete || !work.addBatch()) return nullptr;
+        auto picture = std::make_shared<LightPicture>(*work.picture());
+        picture->firstLook = true;
+        return picture;
+    } catch (const Stopped&) {
+        return nullptr;
+    }
+}
+
+/// One of the pictures that are asked for.
+struct Wanted {
+    std::size_t kind;  ///< in kPictureViews
+    std::size_t side;
+    Maker maker;
+
+    View view() const { return kPictureViews[kind]; }
+};
+
+/// Those that are quick to prepare first.
+std::vector<Wanted> wantedPictures(const LightQuestion& asked) {
+    std::vector<Wanted> wanted;
+    for (std::size_t kind = 0; kind < kPictureViews.size(); ++kind)
+        for (std::size_t side = 0; side < 2; ++side)
+            if (const std::optional<Maker> maker = makerAsked(asked, kPictureViews[kind], side))
+                wanted.push_back({kind, side, *maker});
+    std::stable_partition(wanted.begin(), wanted.end(),
+                          [](const Wanted& one) { return !firstLookOf(one.maker); });
+    return wanted;
+}
+
 }  // namespace
 
 Maker usualMaker(View view) {
@@ -217,7 +257,9 @@ void recallPictures(LightAnswer& answer, PictureCache& cache) {
             const std::optional<Maker> maker = makerAsked(answer.asked, view, side);
             const auto& work = cache.works[k][side];
             auto& shown = (side == 0 ? answer.pictures : answer.against).of(view);
-            if (maker && work && work->answers(answer.asked, *maker)) shown = work->picture();
+            if (!maker || !work || !work->answers(answer.asked, *maker)) continue;
+            const bool begun = work->picture()->film.passes > 0 || work->picture()->complete;
+            if (begun || !shown) shown = work->picture();
         }
         share(answer.pictures.of(view), answer.against.of(view));
     }
@@ -227,10 +269,16 @@ void recallPictures(LightAnswer& answer, PictureCache& cache) {
 void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<bool>& cancelled,
                     const std::function<void()>& publish, unsigned turns) {
     const LightQuestion& asked = answer.asked;
-    for (std::size_t k = 0; k < kPictureViews.size(); ++k)
-        for (std::size_t side = 0; side < 2; ++side)
-            if (const std::optional<Maker> maker = makerAsked(asked, kPictureViews[k], side))
-                prepare(cache.works[k][side], asked, kPictureViews[k], *maker, cancelled);
+    const std::vector<Wanted> wanted = wantedPictures(asked);
+    for (const Wanted& one : wanted) {
+        const auto& work = cache.works[one.kind][one.side];
+        auto& shown = (one.side == 0 ? answer.pictures : answer.against).of(one.view());
+        if (shown || (work && work->answers(asked, one.maker))) continue;
+        shown = firstLook(asked, one.view(), one.maker, cancelled);
+        if (!shown) continue;
+        share(answer.pictures.of(one.view()), answer.against.of(one.view()));
+        publish();
+    }
     bool strategies = prepareStrategies(asked, cache.strategies, cancelled);
     recallPictures(answer, cache);  // also what refuses
     if (asked.pictures.has(View::paths) && !answer.ways) {
@@ -243,16 +291,20 @@ void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<
     }
     for (bool growing = true; growing && turns > 0; --turns) {
         growing = false;
-        for (std::size_t k = 0; k < kPictureViews.size(); ++k)
-            for (std::size_t side = 0; side < 2; ++side) {
-                PictureWork* work = cache.works[k][side].get();
-                const View view = kPictureViews[k];
-                if (!work || !makerAsked(asked, view, side) || work->picture()->complete) continue;
+        for (const Wanted& one : wanted) {
+            std::unique_ptr<PictureWork>& work = cache.works[one.kind][one.side];
+            prepare(work, asked, one.view(), one.maker, cancelled);
+            if (!work) continue;  // cancelled, or there is no such sensor
+            if (!work->picture()->complete) {
                 if (cancelled || !work->addBatch()) return;
                 growing = true;
-                recallPictures(answer, cache);
-                publish();
+            } else if (answer.pictures.of(one.view()) == work->picture() ||
+                       answer.against.of(one.view()) == work->picture()) {
+                continue;
             }
+            recallPictures(answer, cache);
+            publish();
+        }
         if (!strategies) continue;
         if (cancelled || !cache.strategies->addBatch()) return;
         strategies = !cache.strategies->grid()->complete;

@@ -118,6 +118,7 @@ std::string costWords(const AppState& state, View view, const ShownPicture& one)
     if (picture.noise) words += say(", noise {:.2g} %", 100.0 * *picture.noise);
     const std::optional<double> error = errorOf(*state.answer, view, one.second ? 1 : 0);
     if (error) words += say(", {:.2g} % from the exact one", 100.0 * *error);
+    if (picture.firstLook) words += fmt::format(", {}", tr("a coarse first look"));
     if (!picture.complete) words += tr(", not complete yet");
     return words;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,7 +39,8 @@ struct ParamInfo {
     double least = 0.0, most = 1.0, initial = 0.0;
     bool whole = false;  ///< whole numbers only
     std::span<const std::string_view>
-        choices{};  ///< not empty: a choice; least, most and whole follow from it
+        choices{};                      ///< not empty: a choice; least, most and whole follow from it
+    std::optional<double> firstLook{};  ///< with this it has a picture at once, if a worse one
 };
 
 /// One value for each entry of EstimatorInfo::params, in that order.
@@ -71,6 +73,8 @@ struct EstimatorInfo {
     /// Which paths it can carry to the sensor in this scene: a regular expression over L (light), D (diffuse
     /// or glossy), S (mirror or glass) and E (the sensor).
     std::string (*paths)(const Scene& scene, unsigned sensorBit);
+    /// Whether it carries light of all bounces, whatever Problem::maxDepth says. Null: never.
+    bool (*endless)(const ParamValues& params) = nullptr;
     /// Empty, or why it can't do this, in words for the user. May be null: it can do all that its sensors
     /// promise.
     std::string (*refusal)(const Problem& problem, const ParamValues& params);

@@ -20,7 +20,8 @@ constexpr std::array kParams{
               .least = 1,
               .most = Patches::kMost,
               .initial = 400,
-              .whole = true},
+              .whole = true,
+              .firstLook = 48},
     ParamInfo{.name = "solver",
               .meaning = "bounce the light up to the depth asked for, or solve the equations: all bounces, "
                          "whatever the depth",
@@ -67,6 +68,7 @@ const EstimatorInfo kRadiosityEstimator{
         "square "
         "of a patch's length; nearer than that to a corner or to the end of a lamp, with the length itself",
     .paths = [](const Scene& scene, unsigned) { return allPaths(scene); },
+    .endless = [](const ParamValues& params) { return params[kSolver] > 0.0; },
     .refusal = refusal,
     .make = [](const Problem& problem, const ParamValues& params) -> std::unique_ptr<Estimator> {
         return std::make_unique<RadiosityEstimator>(problem, params);

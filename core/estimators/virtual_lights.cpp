@@ -21,7 +21,8 @@ constexpr std::array kParams{
               .least = 1,
               .most = 1e6,
               .initial = 64,
-              .whole = true},
+              .whole = true,
+              .firstLook = 8},
     ParamInfo{.name = "clamp",
               .meaning = "a lamp nearer than this shines as if it were so far away; 0: as it is, with bright "
                          "spots in corners, whose variance has no bound",

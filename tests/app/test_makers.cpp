@@ -208,6 +208,67 @@ TEST_CASE(
     CHECK(*error(1) < 1.6 * profile(rig, true).noise.value_or(0.0) + 1e-3);
 }
 
+TEST_CASE(
+    "where two are compared the field's error stands beside its noise, each held against its own depth") {
+    Rig rig("controls:1");
+    rig.apply(UnlockAll{true});
+    rig.apply(SetView{View::field, true});
+    rig.settle();
+    const auto error = [&](std::size_t side) { return errorOf(*rig.state().answer, View::field, side); };
+    CHECK_FALSE(error(0));
+    Maker direct = makerOf("light"), solved = makerOf("radiosity");
+    direct.depth = 0;
+    solved.params[1] = 1.0;  // all bounces
+    for (const Maker& maker : {direct, solved}) {
+        rig.apply(SetMakers{{makerOf("light"), maker}});
+        rig.settle();
+        REQUIRE((error(0) && error(1)));
+        const auto noise = [&](const PictureSet& set) { return set.field->noise.value_or(0.0); };
+        // A root mean square of 400 cells: by 4 standard deviations of itself, and what the cells near a
+        // lamp, where noise is uneven, add.
+        CHECK(*error(0) < 1.6 * noise(rig.state().answer->pictures) + 2e-3);
+        CHECK(*error(1) < 1.6 * noise(rig.state().answer->against) + 2e-3);
+    }
+    const auto sum = [&](std::size_t side) {
+        double all = 0.0;
+        for (const Rgb& cell : rig.state().answer->exactPictures[side].field->mean) all += gray(cell);
+        return all;
+    };
+    CHECK(sum(1) > 1.01 * sum(0));  // light of all bounces, and of the first ones
+}
+
+TEST_CASE("what takes long to prepare has a coarse first look, which gives way to what was asked for") {
+    const AppState state = openLesson(courseLessons(), LessonRef{"other-roads", 1});
+    LightAnswer answer;
+    answer.asked = {.id = 1, .scene = state.scene, .at = state.at, .settings = state.settings};
+    answer.asked.makers = {makerOf("radiosity"), makerOf("path")};
+    answer.asked.pictures.set(View::field, true);
+    answer.asked.pictures.set(View::profile, true);
+    PictureCache cache;
+    std::vector<std::array<bool, 2>> looks;
+    const std::atomic<bool> cancelled = false;
+    refinePictures(
+        answer, cache, cancelled,
+        [&] {
+            const auto& field = answer.pictures.field;
+            const auto& profile = answer.pictures.profile;
+            looks.push_back({field && field->firstLook, profile && profile->firstLook});
+            if (field && field->firstLook) {
+                CHECK(std::get<Field>(field->sensor).width == 40);
+                CHECK_FALSE(field->complete);
+                CHECK(field->film.passes == 1);
+            }
+        },
+        1);
+    CHECK(std::any_of(looks.begin(), looks.end(), [](const auto& look) { return look[0] && look[1]; }));
+    REQUIRE_FALSE(looks.empty());
+    CHECK_FALSE((looks.back()[0] || looks.back()[1]));
+    CHECK(std::get<Field>(answer.pictures.field->sensor).width == 160);
+    CHECK(answer.pictures.field->film.passes == 1);
+    REQUIRE(answer.against.field);
+    CHECK_FALSE(answer.against.field->firstLook);
+}
+
 TEST_CASE("the eye's strip has its difference from the exact one below it, and a legend") {
     Rig rig("controls:1");
     rig.apply(OpenScene{courseLessons() / "scenes/diffuse_room.toml"});

@@ -37,6 +37,7 @@ struct Session {
     WidgetRegistry widgets;
     LightJob light;
     std::uint64_t asked = 0;  ///< the last question put to the light
+    double effort = 1.0;      ///< LightQuestion::effort of what is asked
 };
 
 /// Between ImGui's NewFrame and Render. Never waits and never reads the clock: time is ImGui's DeltaTime.

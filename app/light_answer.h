@@ -40,6 +40,7 @@ struct LightQuestion {
     Makers makers{};                       ///< of the pictures
     Run run = Run::castRay;                ///< that is recorded
     std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, if its run is recorded and not that at P
+    double effort = 1.0;                   ///< share of the usual work that is done after the first run, > 0
 };
 
 /// What one maker made; null: not begun, not wanted, or (eye) the scene has none.

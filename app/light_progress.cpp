@@ -37,15 +37,17 @@ std::vector<Part> partsOf(const AppState& state) {
                                                         : "the profile"));
         const auto share = [&](const PictureSet* pictures) {
             const LightPicture* picture = pictures ? pictures->of(view).get() : nullptr;
-            return picture ? shareDone(*picture, state.makers.second ? state.makers.equal : Budget::rays)
+            return picture ? shareDone(*picture, state.makers.second ? state.makers.equal : Budget::rays,
+                                       answer->asked.effort)
                            : 0.0;
         };
         parts.push_back({name, share(answer ? &answer->pictures : nullptr)});
         if (state.makers.second) parts.push_back({name + " B", share(answer ? &answer->against : nullptr)});
     }
     if (state.shows(View::strategies))
-        parts.push_back({std::string(nameOf(kViews, View::strategies)),
-                         answer && answer->strategies ? shareDone(*answer->strategies) : 0.0});
+        parts.push_back(
+            {std::string(nameOf(kViews, View::strategies)),
+             answer && answer->strategies ? shareDone(*answer->strategies, answer->asked.effort) : 0.0});
     return parts;
 }
 

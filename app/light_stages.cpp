@@ -136,7 +136,8 @@ std::optional<ErrorPoint> measureError(const LightAnswer& answer, std::uint32_t 
     Settings settings = answer.asked.settings;
     settings.samples = N;
     const SegmentIndex& index = sceneOf(answer).index;
-    if (raysPerRepeat(index, settings) * static_cast<double>(kRunsPerErrorPoint) > kRaysPerErrorPoint)
+    if (raysPerRepeat(index, settings) * static_cast<double>(kRunsPerErrorPoint) >
+        answer.asked.effort * kRaysPerErrorPoint)
         return std::nullopt;
     double sum = 0.0, squares = 0.0;
     NoObserver observer;
@@ -161,9 +162,9 @@ void measureDamage(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     if (exact <= 0.0) return;
     Settings settings = answer.asked.settings;
     settings.defects = {};
-    const double runs = kRaysPerErrorPoint / raysPerRepeat(sceneOf(answer).index, settings);
+    const double runs = std::min(400.0, kRaysPerErrorPoint / raysPerRepeat(sceneOf(answer).index, settings));
     EstimateOptions options;
-    options.repeats = static_cast<std::uint64_t>(std::clamp(runs, 4.0, 400.0));
+    options.repeats = static_cast<std::uint64_t>(std::max(4.0, answer.asked.effort * runs));
     options.cancelled = &cancelled;
     for (const Named<Defect>& defect : kDefects) {
         settings.defects = {};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -27,16 +28,20 @@ constexpr std::uint64_t kMostPassesInTime = 1u << 24;
 // Of one batch, so that pictures follow each other fast.
 constexpr double kPathsPerBatch = 16'384.0;
 
-std::uint64_t mostPasses(const Film& film, Budget budget) {
+std::uint64_t scaled(std::uint64_t work, double effort) {
+    return static_cast<std::uint64_t>(std::ceil(static_cast<double>(work) * effort));
+}
+
+std::uint64_t mostPasses(const Film& film, Budget budget, double effort) {
     if (budget == Budget::time) return kMostPassesInTime;
-    return film.counts.rays > 0 || film.passes == 0 ? kMostPasses : kMostPassesWithoutRays;
+    return scaled(film.counts.rays > 0 || film.passes == 0 ? kMostPasses : kMostPassesWithoutRays, effort);
 }
 
 /// More at once as there are more: the first picture comes soon, and later ones are not copied for nothing.
-std::uint64_t nextBatch(const Film& film, double pathsPerPass, Budget budget) {
+std::uint64_t nextBatch(const Film& film, double pathsPerPass, Budget budget, double effort) {
     const auto usual = static_cast<std::uint64_t>(std::max(1.0, kPathsPerBatch / pathsPerPass));
     const std::uint64_t least = film.passes == 0 ? 1 : film.passes < usual ? usual - film.passes : usual;
-    const std::uint64_t most = budget == Budget::time ? kMostPassesInTime : kMostPasses;
+    const std::uint64_t most = budget == Budget::time ? kMostPassesInTime : scaled(kMostPasses, effort);
     return std::min(std::max(least, film.passes / 2), most - film.passes);
 }
 
@@ -44,7 +49,7 @@ std::uint64_t nextBatch(const Film& film, double pathsPerPass, Budget budget) {
 std::uint64_t batchWithin(double seconds, const LightPicture& picture, double pathsPerPass) {
     if (picture.film.passes == 0 || !(picture.passSeconds > 0.0)) return 1;
     const double fitting = seconds / (picture.passSeconds / static_cast<double>(picture.film.passes));
-    const std::uint64_t usual = nextBatch(picture.film, pathsPerPass, Budget::time);
+    const std::uint64_t usual = nextBatch(picture.film, pathsPerPass, Budget::time, 1.0);
     return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(std::clamp(fitting, 1.0, 1e9)), 1, usual);
 }
 
@@ -181,14 +186,14 @@ Maker usualMaker(View view) {
     return makerOf(view == View::field ? "light" : "path");
 }
 
-double shareDone(const LightPicture& picture, Budget budget) {
+double shareDone(const LightPicture& picture, Budget budget, double effort) {
     if (picture.complete) return 1.0;
     const auto of = [](std::uint64_t done, std::uint64_t all) {
         return static_cast<double>(done) / static_cast<double>(all);
     };
-    const double byPasses = of(picture.film.passes, mostPasses(picture.film, budget));
-    const double spent =
-        budget == Budget::time ? picture.seconds / kMostSeconds : of(picture.film.counts.rays, kMostRays);
+    const double byPasses = of(picture.film.passes, mostPasses(picture.film, budget, effort));
+    const double spent = budget == Budget::time ? picture.seconds / (effort * kMostSeconds)
+                                                : of(picture.film.counts.rays, scaled(kMostRays, effort));
     return std::min(0.99, std::max(spent, byPasses));
 }
 
@@ -198,6 +203,7 @@ PictureWork::PictureWork(const LightQuestion& asked, Sensor sensor, Maker maker,
       sensor_(std::move(sensor)),
       maker_(std::move(maker)),
       budget_(budgetOf(asked)),
+      effort_(asked.effort),
       maxDepth_(maker_.depth.value_or(asked.settings.maxDepth)),
       seed_(asked.settings.seed) {
     const auto start = std::chrono::steady_clock::now();
@@ -222,7 +228,7 @@ PictureWork::PictureWork(const LightQuestion& asked, Sensor sensor, Maker maker,
 
 bool PictureWork::answers(const LightQuestion& question, const Maker& maker) const {
     const auto* profile = std::get_if<Profile>(&sensor_);
-    return maker_ == maker && budget_ == budgetOf(question) &&
+    return maker_ == maker && budget_ == budgetOf(question) && effort_ == question.effort &&
            (!profile || profile->segments.front() == question.at.segment) && scene_ == question.scene &&
            maxDepth_ == maker.depth.value_or(question.settings.maxDepth) && seed_ == question.settings.seed;
 }
@@ -233,8 +239,8 @@ bool PictureWork::addBatch() {
     RenderOptions options;
     options.firstPass = next->film.passes;
     const double pathsPerPass = pixelCount(sensor_) + estimator_->workPerPass();
-    options.passes = byTime ? batchWithin(kMostSeconds - next->seconds, *next, pathsPerPass)
-                            : nextBatch(next->film, pathsPerPass, budget_);
+    options.passes = byTime ? batchWithin(effort_ * kMostSeconds - next->seconds, *next, pathsPerPass)
+                            : nextBatch(next->film, pathsPerPass, budget_, effort_);
     const auto start = std::chrono::steady_clock::now();
     const Film batch = render(*estimator_, sensor_, options);
     const double took = secondsSince(start);
@@ -242,8 +248,9 @@ bool PictureWork::addBatch() {
     next->film.merge(batch);
     next->seconds += took;
     next->passSeconds += took;
-    const bool spent = byTime ? next->seconds >= kMostSeconds : next->film.counts.rays >= kMostRays;
-    next->complete = spent || next->film.passes >= mostPasses(next->film, budget_);
+    const bool spent = byTime ? next->seconds >= effort_ * kMostSeconds
+                              : next->film.counts.rays >= scaled(kMostRays, effort_);
+    next->complete = spent || next->film.passes >= mostPasses(next->film, budget_, effort_);
     next->noise = noiseOf(*next);
     if (!std::holds_alternative<Profile>(sensor_)) tone(*next, whiteOf(*next));
     picture_ = std::move(next);

@@ -26,7 +26,7 @@ std::optional<Sensor> sensorOf(View view, const LightQuestion& asked);
 std::optional<Maker> makerAsked(const LightQuestion& asked, View view, std::size_t side);
 
 /// How much of a picture's work is done, 0 ... 1.
-double shareDone(const LightPicture& picture, Budget budget);
+double shareDone(const LightPicture& picture, Budget budget, double effort);
 
 /// A picture on its way. It is kept while only P (but for the profile's wall) and N change.
 class PictureWork {
@@ -50,6 +50,7 @@ class PictureWork {
     Sensor sensor_;
     Maker maker_;
     Budget budget_;
+    double effort_;
     std::uint32_t maxDepth_;
     std::uint64_t seed_;
     std::unique_ptr<Estimator> estimator_;

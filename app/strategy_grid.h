@@ -39,6 +39,6 @@ struct StrategyGrid {
 };
 
 /// Of the whole work, 0 ... 1.
-double shareDone(const StrategyGrid& grid);
+double shareDone(const StrategyGrid& grid, double effort);
 
 }  // namespace halfdisk

@@ -61,17 +61,21 @@ double StrategyGrid::share(std::size_t place, bool alone) const {
     return all > 0.0 ? gray(means(alone).mean[place]) / all : 0.0;
 }
 
-double shareDone(const StrategyGrid& grid) {
+double shareDone(const StrategyGrid& grid, double effort) {
     if (grid.complete) return 1.0;
-    const auto of = [](std::uint64_t done, std::uint64_t all) {
-        return static_cast<double>(done) / static_cast<double>(all);
+    const auto of = [effort](std::uint64_t done, std::uint64_t all) {
+        return static_cast<double>(done) / (effort * static_cast<double>(all));
     };
     return std::min(
         0.99, std::max(of(grid.film.whole.counts.rays, kMostRays), of(grid.film.whole.passes, kMostPasses)));
 }
 
 StrategyWork::StrategyWork(const LightQuestion& asked, const std::atomic<bool>& cancelled)
-    : scene_(asked.scene), sensor_(sensorOf(asked)), maker_(makerFor(asked)), seed_(asked.settings.seed) {
+    : scene_(asked.scene),
+      sensor_(sensorOf(asked)),
+      maker_(makerFor(asked)),
+      seed_(asked.settings.seed),
+      effort_(asked.effort) {
     const Problem problem{.index = scene_->index,
                           .sensor = sensor_,
                           .maxDepth = *maker_.depth,
@@ -94,7 +98,7 @@ StrategyWork::StrategyWork(const LightQuestion& asked, const std::atomic<bool>& 
 bool StrategyWork::answers(const LightQuestion& question) const {
     const auto* profile = std::get_if<Profile>(&sensor_);
     return scene_ == question.scene && maker_ == makerFor(question) && seed_ == question.settings.seed &&
-           (!profile || profile->segments.front() == question.at.segment);
+           effort_ == question.effort && (!profile || profile->segments.front() == question.at.segment);
 }
 
 bool StrategyWork::addBatch() {
@@ -108,7 +112,8 @@ bool StrategyWork::addBatch() {
     } catch (const Stopped&) {
         return false;
     }
-    next->complete = whole.counts.rays >= kMostRays || whole.passes >= kMostPasses;
+    const auto rays = static_cast<double>(whole.counts.rays);
+    next->complete = rays >= effort_ * static_cast<double>(kMostRays) || whole.passes >= kMostPasses;
     tone(*next);
     grid_ = std::move(next);
     return true;

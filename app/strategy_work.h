@@ -29,6 +29,7 @@ class StrategyWork {
     Sensor sensor_;
     Maker maker_;
     std::uint64_t seed_;
+    double effort_;
     std::optional<StrategyPasses> passes_;
     std::shared_ptr<const StrategyGrid> grid_;
 };

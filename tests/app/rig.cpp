@@ -25,11 +25,18 @@ Rig::Rig(AppState opened, int width, int height)
                                                                host->setUiScale(session.state.uiScale);
                                                            }} {
     session.state = std::move(opened);
+    session.effort = kQuick;
     settle();
 }
 
 Rig::Rig(std::string_view lesson, int width, int height)
     : Rig(openLesson(testLessons(), parseLessonRef(lesson)), width, height) {}
+
+void Rig::setEffort(double effort) {
+    session.effort = effort;
+    ++session.state.questionId;
+    settle();
+}
 
 void Rig::settle() {
     driver.frames();

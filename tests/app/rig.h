@@ -24,12 +24,18 @@ struct Rig {
     Session session;
     Driver driver;
 
+    /// A sixteenth of the usual work, unless more is asked for: enough for all but the tests of how good
+    /// answers are.
+    static constexpr double kQuick = 1.0 / 16.0;
+
     explicit Rig(AppState opened, int width = 1280, int height = 800);
     /// At a step of a test lesson, such as "controls:2". The light is complete and shown.
     explicit Rig(std::string_view lesson, int width = 1280, int height = 800);
     Rig(const Rig&) = delete;
     Rig& operator=(const Rig&) = delete;
 
+    /// From now on answers get so much of their usual work. Waits until they have it.
+    void setEffort(double effort);
     /// Waits until the light is complete, without a sleep, and shows it.
     void settle();
 

@@ -156,7 +156,7 @@ TEST_CASE(
     "seconds") {
     Rig rig(kEstimatorStep);
     rig.driver.click("Controls/Compare");
-    rig.settle();
+    rig.setEffort(1.0);
     const auto rays = [&](bool second) { return static_cast<double>(profile(rig, second).film.counts.rays); };
     const auto seconds = [&](bool second) { return profile(rig, second).seconds; };
     CHECK(rays(false) >= 1.2e6);
@@ -213,7 +213,7 @@ TEST_CASE(
     Rig rig("controls:1");
     rig.apply(UnlockAll{true});
     rig.apply(SetView{View::field, true});
-    rig.settle();
+    rig.setEffort(1.0);
     const auto error = [&](std::size_t side) { return errorOf(*rig.state().answer, View::field, side); };
     CHECK_FALSE(error(0));
     Maker direct = makerOf("light"), solved = makerOf("radiosity");

@@ -20,6 +20,7 @@ float sensible(float scale) {
 UiContext::UiContext(float uiScale) : context(ImGui::CreateContext()), currentScale(sensible(uiScale)) {
     makeCurrent();
     ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().UserData = &shownTextures;
     rebuild();
 }
 

@@ -32,6 +32,10 @@ std::optional<Stroke> clipped(Stroke stroke, Vec2 size) {
     return Stroke{stroke.a + enter * way, stroke.a + leave * way};
 }
 
+std::uint32_t inUnits(double amount) {
+    return static_cast<std::uint32_t>(amount + 0.5);
+}
+
 /// Walks along the axis on which the line is longer, one cell after the other, and shares what lies there
 /// between the two cells next to the line.
 void draw(CloudSums& sums, Stroke stroke, std::array<float, 2> weight) {
@@ -45,22 +49,27 @@ void draw(CloudSums& sums, Stroke stroke, std::array<float, 2> weight) {
     const int counts[] = {static_cast<int>(sums.width), static_cast<int>(sums.height)};
     const double begin = stroke.a[along], end = stroke.b[along];
     const int first = static_cast<int>(begin), last = std::min(static_cast<int>(end), counts[along] - 1);
-    for (int cell = first; cell <= last; ++cell) {
+    const std::size_t next = strides[across];
+    std::uint32_t* column = sums.cells.data() + static_cast<std::size_t>(first) * strides[along];
+    const std::array whole{inUnits(perStep * static_cast<double>(weight[0])),
+                           inUnits(perStep * static_cast<double>(weight[1]))};
+    for (int cell = first; cell <= last; ++cell, column += strides[along]) {
         const double low = std::max(begin, static_cast<double>(cell)), high = std::min(end, cell + 1.0);
         if (high <= low) continue;
-        const double place = stroke.a[across] + slope * (0.5 * (low + high) - begin) - 0.5;
-        const double lower = std::floor(place);
-        const int near = static_cast<int>(lower);
-        const auto share = static_cast<std::uint32_t>((place - lower) * kParts + 0.5);
-        const double amount = perStep * (high - low);
-        std::uint32_t* at = sums.cells.data() + static_cast<std::size_t>(cell) * strides[along];
+        const bool part = high - low < 1.0;
+        // One cell further, so that it is not negative.
+        const double place = stroke.a[across] + slope * (0.5 * (low + high) - begin) + 0.5;
+        const int upper = static_cast<int>(place);
+        const auto share = static_cast<std::uint32_t>((place - upper) * kParts + 0.5);
+        std::uint32_t* at = column + static_cast<std::size_t>(upper) * next;
+        const bool hasLower = upper > 0, hasUpper = upper < counts[across];
         for (std::size_t color = 0; color < 2; ++color) {
-            if (weight[color] == 0.0f) continue;
-            const auto all = static_cast<std::uint32_t>(amount * static_cast<double>(weight[color]) + 0.5);
+            if (whole[color] == 0) continue;
+            const std::uint32_t all =
+                part ? inUnits(perStep * (high - low) * static_cast<double>(weight[color])) : whole[color];
             const std::uint32_t second = (all * share + 128u) / 256u;
-            if (near >= 0) at[static_cast<std::size_t>(near) * strides[across] + color] += all - second;
-            if (near + 1 < counts[across])
-                at[static_cast<std::size_t>(near + 1) * strides[across] + color] += second;
+            if (hasLower) *(at + color - next) += all - second;
+            if (hasUpper) at[color] += second;
         }
     }
 }

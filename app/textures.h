@@ -3,11 +3,9 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
-#include "app/imgui_compat.h"
 #include "app/png_image.h"
 
 namespace halfdisk {
@@ -22,19 +20,10 @@ class Textures {
     };
 
     /// What the frame before did not show is forgotten.
-    void beginFrame() {
-        std::erase_if(entries_, [](const Entry& entry) { return !entry.shown; });
-        for (Entry& entry : entries_) entry.shown = false;
-    }
+    void beginFrame();
 
     /// To draw this picture in this frame.
-    ImTextureID idOf(const std::shared_ptr<const Image>& picture) {
-        auto found = std::find_if(entries_.begin(), entries_.end(),
-                                  [&](const Entry& entry) { return entry.picture == picture; });
-        if (found == entries_.end()) found = entries_.insert(found, {next_++, picture, true});
-        found->shown = true;
-        return textureId(found->name);
-    }
+    ImTextureID idOf(const std::shared_ptr<const Image>& picture);
 
     const std::vector<Entry>& entries() const { return entries_; }
 
@@ -46,8 +35,6 @@ class Textures {
 };
 
 /// Of the current context; null if it has none.
-inline Textures* currentTextures() {
-    return static_cast<Textures*>(ImGui::GetIO().UserData);
-}
+Textures* currentTextures();
 
 }  // namespace halfdisk

@@ -48,7 +48,8 @@ std::vector<CloudLine> TreeRecorder::lines(double brightest, double far) const {
     for (const Deeper& ray : rays_) {
         const bool dark = !(top > 0.0f) || !(ray.value > 0.0f);
         const float bright = dark ? 0.0f : std::sqrt(std::min(ray.value / top, 1.0f));
-        const float opacity = 0.55f / ray.depth * (0.55f + 0.45f * bright);
+        // As opaque as a line, times its thickness.
+        const float opacity = 0.4f / ray.depth * (0.55f + 0.45f * bright) * (1.0f + 1.5f * bright);
         lines.push_back({ray.from,
                          ray.missed ? ray.from + far * (ray.to - ray.from) : ray.to,
                          {opacity * (1.0f - bright), opacity * bright}});

@@ -18,7 +18,7 @@ constexpr double kRaysPerErrorPoint = 1.5e6;
 constexpr std::uint64_t kRunsPerErrorPoint = 48;
 constexpr std::size_t kMostTreeRays = 3000;
 /// Of a cloud; in some 0.3 s. And of one that comes with the first picture.
-constexpr std::size_t kMostCloudRays = 250'000, kMostQuickCloudRays = 30'000;
+constexpr std::size_t kMostCloudRays = 250'000, kMostQuickCloudRays = 20'000;
 
 const PreparedScene& sceneOf(const LightAnswer& answer) {
     return *answer.asked.scene;

@@ -24,7 +24,7 @@ struct CloudLine {
 inline constexpr std::size_t kMostCloudLines = 1'000'000;
 
 /// Cells of the longer side of a cloud's picture.
-inline constexpr std::uint32_t kCloudSide = 1400;
+inline constexpr std::uint32_t kCloudSide = 1200;
 
 /// How much of the lines lies in each cell. Sums of integers: the order of the lines does not matter.
 struct CloudSums {
@@ -32,7 +32,14 @@ struct CloudSums {
 
     Bounds area;
     std::uint32_t width = 0, height = 0;  ///< cells, square up to rounding
-    std::vector<std::uint32_t> cells;     ///< rows from the top, two each: one for each colour, in 1 / kUnit
+
+    /// In 1 / kUnit: the first colour in the lower half, the second in the upper. Rows from the top, with a
+    /// border of one cell all round, where what lies beyond the edges is put and forgotten.
+    std::vector<std::uint64_t> cells;
+    std::uint64_t at(std::uint32_t x, std::uint32_t y) const {
+        return cells[(y + std::size_t{1}) * stride() + x + 1];
+    }
+    std::size_t stride() const { return width + std::size_t{2}; }
 };
 
 /// Lines of about one cell's width with soft edges; what lies outside of `area`, and lines that have no
@@ -40,8 +47,8 @@ struct CloudSums {
 std::optional<CloudSums> sumUp(std::span<const CloudLine> lines, const Bounds& area, std::uint32_t side,
                                const std::function<bool()>& stop);
 
-/// Premultiplied with its opacity, 1 - exp(-density). A line by itself has its weight as opacity at most;
-/// less where there are so many that the densest places could not be told apart. Colours: ImGui's (IM_COL32).
+/// Premultiplied with its opacity, 1 - exp(-density times a factor of the whole picture): the usual place is
+/// light, the densest are nearly full. Colours: ImGui's (IM_COL32).
 Image cloudPicture(const CloudSums& sums, std::array<std::uint32_t, 2> colors);
 
 /// A cloud as it is shown.

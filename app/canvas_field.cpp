@@ -170,13 +170,21 @@ void drawCloud(const Canvas& canvas, const std::shared_ptr<const RayCloud>& clou
                            canvas.screen({max.x, min.y}));
 }
 
+bool isBlurred(const Canvas& canvas, const RayCloud& cloud) {
+    const double cell = cloud.area.size().x / std::max(cloud.picture.width, 1);
+    return cell * canvas.camera.pixelsPerMeter > static_cast<double>(canvas.px(4));
+}
+
 void drawWays(const Canvas& canvas) {
     const AppState& state = canvas.ui.state;
     if (!state.shows(View::paths) || !state.answer || !state.answer->ways) return;
     const std::vector<LightWay>& ways = *state.answer->ways;
     const Palette& palette = canvas.ui.palette;
-    if (state.answer->wayCloud) drawCloud(canvas, state.answer->wayCloud);
-    for (std::size_t w = 0; w < std::min<std::size_t>(ways.size(), kWaysDrawn); ++w) {
+    const auto& cloud = state.answer->wayCloud;
+    if (cloud) drawCloud(canvas, cloud);
+    constexpr std::size_t kWaysDrawnNear = 400;
+    const std::size_t lines = cloud && isBlurred(canvas, *cloud) ? kWaysDrawnNear : kWaysDrawn;
+    for (std::size_t w = 0; w < std::min(ways.size(), lines); ++w) {
         const LightWay& way = ways[w];
         for (std::size_t i = 1; i < way.corners.size(); ++i) {
             const WayLook look = lookOf(way, i);

@@ -119,17 +119,18 @@ void drawTree(const Canvas& canvas) {
     const std::size_t all = view.summary->deeperCount;
     const auto& cloud = canvas.ui.state.answer->tree;
     // A cloud is of the whole run.
-    if (cloud && view.end == view.record->events.size()) {
+    const bool clouded = cloud && view.end == view.record->events.size();
+    if (clouded) {
         drawCloud(canvas, cloud);
         if (cloud->lines < all) tellFirst(canvas, cloud->lines);
-        return;
+        if (!isBlurred(canvas, *cloud)) return;
     }
     std::size_t drawn = 0;
     forShown(view, view.summary->deeper, [&](const Event& event) {
         ++drawn;
         drawRay(canvas, event, view.summary->brightest, 0.55f / static_cast<float>(event.depth), 0.8f);
     });
-    if (drawn == view.summary->deeper.size() && drawn < all) tellFirst(canvas, drawn);
+    if (!clouded && drawn == view.summary->deeper.size() && drawn < all) tellFirst(canvas, drawn);
 }
 
 void drawCurrentStep(const Canvas& canvas) {

@@ -26,6 +26,9 @@ void drawGrid(const Canvas& canvas);
 void drawField(const Canvas& canvas);
 bool fieldIsSeen(const Canvas& canvas);
 void drawWays(const Canvas& canvas);
+void drawCloud(const Canvas& canvas, const std::shared_ptr<const RayCloud>& cloud);
+/// So near that a cloud's picture is blurred: lines belong on top of it.
+bool isBlurred(const Canvas& canvas, const RayCloud& cloud);
 
 /// A button goes down at a place (m) while the scene is being changed; then it moves.
 void beginEdit(const Canvas& canvas, Vec2 place);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/canvas.h"
+#include "app/cloud_stages.h"
 #include "app/draw_text.h"
 #include "app/false_color.h"
 #include "app/language.h"
@@ -163,21 +164,33 @@ void drawSplit(const Canvas& canvas) {
     drawHalfTitle(canvas, makerTitle(*state.makers.second, &first), "B", x + gap, Align::left);
 }
 
+void drawCloud(const Canvas& canvas, const std::shared_ptr<const RayCloud>& cloud) {
+    const Vec2 min = cloud->area.min, max = cloud->area.max;
+    canvas.list.AddPicture({cloud, &cloud->picture}, canvas.screen({min.x, max.y}),
+                           canvas.screen({max.x, min.y}));
+}
+
+bool isBlurred(const Canvas& canvas, const RayCloud& cloud) {
+    const double cell = cloud.area.size().x / std::max(cloud.picture.width, 1);
+    return cell * canvas.camera.pixelsPerMeter > static_cast<double>(canvas.px(4));
+}
+
 void drawWays(const Canvas& canvas) {
     const AppState& state = canvas.ui.state;
     if (!state.shows(View::paths) || !state.answer || !state.answer->ways) return;
     const std::vector<LightWay>& ways = *state.answer->ways;
     const Palette& palette = canvas.ui.palette;
-    for (std::size_t w = 0; w < std::min<std::size_t>(ways.size(), kWaysDrawn); ++w) {
+    const auto& cloud = state.answer->wayCloud;
+    if (cloud) drawCloud(canvas, cloud);
+    constexpr std::size_t kWaysDrawnNear = 400;
+    const std::size_t lines = cloud && isBlurred(canvas, *cloud) ? kWaysDrawnNear : kWaysDrawn;
+    for (std::size_t w = 0; w < std::min(ways.size(), lines); ++w) {
         const LightWay& way = ways[w];
         for (std::size_t i = 1; i < way.corners.size(); ++i) {
-            // Straight from the light bright, fainter with every scattering.
-            const auto scatterings = static_cast<float>(std::count(
-                way.word.begin(),
-                way.word.begin() + static_cast<std::ptrdiff_t>(std::min(i, way.word.size())), 'D'));
-            const ImU32 color = scatterings > 0 ? palette.sample : palette.rayBright;
-            const float opacity = scatterings > 0 ? 0.45f / scatterings : 0.65f;
-            canvas.line(way.corners[i - 1], way.corners[i], withOpacity(color, opacity), canvas.px(1.3f));
+            const WayLook look = lookOf(way, i);
+            canvas.line(way.corners[i - 1], way.corners[i],
+                        withOpacity(look.scattered ? palette.sample : palette.rayBright, look.opacity),
+                        canvas.px(1.3f));
         }
     }
 }

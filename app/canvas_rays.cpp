@@ -64,6 +64,12 @@ ImVec2 onArc(const Canvas& canvas, Vec2 P, Vec2 direction) {
             center.y - radius * static_cast<float>(direction.y)};
 }
 
+/// The others are not seen.
+void tellFirst(const Canvas& canvas, std::size_t drawn) {
+    drawText(canvas.ui, {canvas.rect.min.x + canvas.px(8), canvas.rect.min.y + canvas.px(44)},
+             canvas.ui.palette.inkSoft, "the first " + std::to_string(drawn) + " deeper rays are drawn");
+}
+
 }  // namespace
 
 float halfDiskRadius(const Canvas& canvas) {
@@ -110,14 +116,21 @@ void drawSamples(const Canvas& canvas) {
 void drawTree(const Canvas& canvas) {
     const RecordView view = shownRecord(canvas.ui.state);
     if (!view.record) return;
+    const std::size_t all = view.summary->deeperCount;
+    const auto& cloud = canvas.ui.state.answer->tree;
+    // A cloud is of the whole run.
+    const bool clouded = cloud && view.end == view.record->events.size();
+    if (clouded) {
+        drawCloud(canvas, cloud);
+        if (cloud->lines < all) tellFirst(canvas, cloud->lines);
+        if (!isBlurred(canvas, *cloud)) return;
+    }
     std::size_t drawn = 0;
     forShown(view, view.summary->deeper, [&](const Event& event) {
         ++drawn;
         drawRay(canvas, event, view.summary->brightest, 0.55f / static_cast<float>(event.depth), 0.8f);
     });
-    if (drawn < view.summary->deeper.size() || drawn == view.summary->deeperCount) return;
-    drawText(canvas.ui, {canvas.rect.min.x + canvas.px(8), canvas.rect.min.y + canvas.px(44)},
-             canvas.ui.palette.inkSoft, "the first " + std::to_string(drawn) + " deeper rays are drawn");
+    if (!clouded && drawn == view.summary->deeper.size() && drawn < all) tellFirst(canvas, drawn);
 }
 
 void drawCurrentStep(const Canvas& canvas) {

@@ -68,12 +68,19 @@ std::string canvasWords(const AppState& state) {
     if (state.shows(View::paths)) words += tr(", ways that light takes");
     if (state.shows(View::grid)) words += tr(", a grid");
     words += '.';
+    const bool tree = state.shows(View::tree) && state.answer && state.answer->tree;
+    if (tree && state.answer->tree->lines < state.answer->summary.deeperCount)
+        words += say("\nOf {} deeper rays the first {} are drawn, as a cloud.",
+                     state.answer->summary.deeperCount, state.answer->tree->lines);
+    else if (tree)
+        words += say("\nAll {} deeper rays are drawn, as a cloud.", state.answer->tree->lines);
     const std::string rays = state.shows(View::rays) && !paths ? raysWords(state) : std::string();
     if (!rays.empty()) words += '\n';
     words += rays;
     if (state.shows(View::paths) && state.answer && state.answer->ways) {
-        words += say("\n{} paths of light were followed, the first {} are drawn", state.answer->ways->size(),
-                     std::min<std::size_t>(kWaysDrawn, state.answer->ways->size()));
+        words +=
+            say("\n{} paths of light were followed; all are drawn as a cloud, the first {} as lines",
+                state.answer->ways->size(), std::min<std::size_t>(kWaysDrawn, state.answer->ways->size()));
         if (state.answer->throughPupil)
             words += say("; {} pass the eye's pupil", *state.answer->throughPupil);
         words += '.';

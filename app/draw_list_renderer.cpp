@@ -107,9 +107,18 @@ DrawListRenderer::DrawListRenderer(const GlFunctions& functions) : gl(functions)
 
 DrawListRenderer::~DrawListRenderer() {
     gl.deleteTextures(1, &fontTexture);
+    for (const Upload& old : uploads) gl.deleteTextures(1, &old.texture);
     gl.deleteBuffers(2, buffers);
     gl.deleteVertexArrays(1, &vertexArray);
     gl.deleteProgram(program);
+}
+
+/// Into the texture that is bound.
+void DrawListRenderer::fill(const void* pixels, int width, int height) const {
+    gl.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.pixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    gl.texImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
 }
 
 void DrawListRenderer::uploadFonts() {
@@ -118,15 +127,44 @@ void DrawListRenderer::uploadFonts() {
     ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
     atlas.GetTexDataAsRGBA32(&pixels, &width, &height);
     gl.bindTexture(GL_TEXTURE_2D, fontTexture);
-    gl.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    gl.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    gl.pixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    gl.texImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
+    fill(pixels, width, height);
     atlas.SetTexID(textureId(fontTexture));
     atlas.ClearTexData();
 }
 
-void DrawListRenderer::render(const ImDrawData& drawData, unsigned clearColor) {
+void DrawListRenderer::upload(const Textures& textures) {
+    const auto& entries = textures.entries();
+    std::erase_if(uploads, [&](const Upload& old) {
+        const bool kept = std::any_of(entries.begin(), entries.end(),
+                                      [&](const Textures::Entry& entry) { return entry.name == old.name; });
+        if (!kept) gl.deleteTextures(1, &old.texture);
+        return !kept;
+    });
+    for (const Textures::Entry& entry : entries) {
+        if (std::any_of(uploads.begin(), uploads.end(),
+                        [&](const Upload& known) { return known.name == entry.name; }))
+            continue;
+        Upload made{entry.name, 0};
+        gl.genTextures(1, &made.texture);
+        uploads.push_back(made);
+        gl.bindTexture(GL_TEXTURE_2D, made.texture);
+        fill(entry.picture->rgba.data(), entry.picture->width, entry.picture->height);
+        // Beyond its edges it is as at them, not as at the opposite ones.
+        gl.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        gl.texParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+}
+
+void DrawListRenderer::bind(unsigned name) const {
+    const auto picture =
+        std::find_if(uploads.begin(), uploads.end(), [&](const Upload& known) { return known.name == name; });
+    const bool premultiplied = picture != uploads.end();
+    gl.bindTexture(GL_TEXTURE_2D, premultiplied ? picture->texture : name);
+    gl.blendFuncSeparate(premultiplied ? GL_ONE : GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE,
+                         GL_ONE_MINUS_SRC_ALPHA);
+}
+
+void DrawListRenderer::render(const ImDrawData& drawData, unsigned clearColor, const Textures& textures) {
     const float width = drawData.DisplaySize.x * drawData.FramebufferScale.x;
     const float height = drawData.DisplaySize.y * drawData.FramebufferScale.y;
     if (width <= 0.0f || height <= 0.0f) return;
@@ -140,12 +178,12 @@ void DrawListRenderer::render(const ImDrawData& drawData, unsigned clearColor) {
     gl.disable(GL_DEPTH_TEST);
     gl.enable(GL_BLEND);
     gl.blendEquation(GL_FUNC_ADD);
-    gl.blendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     gl.useProgram(program);
     gl.uniform4f(displayUniform, drawData.DisplayPos.x, drawData.DisplayPos.y, drawData.DisplaySize.x,
                  drawData.DisplaySize.y);
     gl.uniform1i(textureUniform, 0);
     gl.activeTexture(GL_TEXTURE0);
+    upload(textures);
     gl.bindVertexArray(vertexArray);
     gl.bindBuffer(GL_ARRAY_BUFFER, buffers[0]);
     drawLists(drawData, height);
@@ -169,7 +207,7 @@ void DrawListRenderer::drawLists(const ImDrawData& drawData, float height) const
             if (right <= left || bottom <= top) continue;
             gl.scissor(static_cast<GLint>(left), static_cast<GLint>(height - bottom),
                        static_cast<GLsizei>(right - left), static_cast<GLsizei>(bottom - top));
-            gl.bindTexture(GL_TEXTURE_2D, textureName(command.GetTexID()));
+            bind(textureName(command.GetTexID()));
             gl.drawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(command.ElemCount), indexType,
                                       byteOffset(command.IdxOffset * sizeof(ImDrawIdx)),
                                       static_cast<GLint>(command.VtxOffset));

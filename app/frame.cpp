@@ -205,7 +205,7 @@ void askLight(Session& session) {
     session.asked = state.questionId;
     session.light.ask({state.questionId, state.scene, state.at, state.settings, state.shows(View::damage),
                        state.show & kPictureSet, state.makers, state.shownRun(), state.pinnedPixel,
-                       session.effort});
+                       state.shows(View::tree), session.effort});
 }
 
 void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {

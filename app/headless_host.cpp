@@ -135,6 +135,7 @@ void HeadlessHost::layOut(const std::function<void()>& draw) {
     ui.makeCurrent();
     if (surface) surface->makeCurrent(pixelWidth, pixelHeight);
     if (ui.applyRequestedScale() && renderer) renderer->uploadFonts();
+    ui.beginFrame();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = ImVec2(static_cast<float>(pixelWidth), static_cast<float>(pixelHeight));
     io.DeltaTime = 1.0f / 60.0f;
@@ -154,7 +155,7 @@ void HeadlessHost::layOut(const std::function<void()>& draw) {
 
 void HeadlessHost::frame(const std::function<void()>& draw) {
     layOut(draw);
-    if (renderer) renderer->render(*ImGui::GetDrawData(), Palette{}.background);
+    if (renderer) renderer->render(*ImGui::GetDrawData(), Palette{}.background, ui.textures());
 }
 
 void HeadlessHost::frameWithoutDrawing(const std::function<void()>& draw) {

@@ -11,6 +11,7 @@
 
 #include "app/light_picture.h"
 #include "app/prepared_scene.h"
+#include "app/ray_cloud.h"
 #include "app/strategy_grid.h"
 #include "core/estimate.h"
 #include "core/exact_field.h"
@@ -25,7 +26,7 @@ namespace halfdisk {
 struct RecordSummary {
     std::vector<std::uint32_t> atP;     ///< events of depth 0
     std::vector<std::uint32_t> deeper;  ///< the first arrivals below it, as many as are drawn
-    std::size_t deeperCount = 0;        ///< all of them
+    std::size_t deeperCount = 0;        ///< all of them, also those that the record lacks
     double brightest = 0.0;  ///< most that a half-disk ray brings, W / (m rad), mean of the channels
 };
 
@@ -40,6 +41,7 @@ struct LightQuestion {
     Makers makers{};                       ///< of the pictures
     Run run = Run::castRay;                ///< that is recorded
     std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, if its run is recorded and not that at P
+    bool wantsTree = false;                ///< also a cloud of its deeper rays, if they are many
     double effort = 1.0;                   ///< share of the usual work that is done after the first run, > 0
 };
 
@@ -110,6 +112,8 @@ struct LightAnswer {
     // stage 1: one run of N samples, every step recorded
     std::shared_ptr<const Record> record;
     RecordSummary summary;
+    std::shared_ptr<const std::vector<CloudLine>> treeLines;  ///< of a cloud that is still to be made
+    std::shared_ptr<const RayCloud> tree;  ///< deeper rays that are too many to be drawn as lines
     std::shared_ptr<const std::vector<SampleRow>> rows;  ///< of the run that is shown
     std::shared_ptr<const PathRun> pathRun;  ///< of another estimator than castRay, if one is asked for
     Irradiance estimate;
@@ -135,6 +139,7 @@ struct LightAnswer {
     std::array<ExactPictures, 2> exactPictures;                 ///< of both makers, whose depths may differ
     std::shared_ptr<const StrategyGrid> strategies;             ///< null: not begun, or not wanted
     std::shared_ptr<const std::vector<LightWay>> ways;          ///< of View::paths
+    std::shared_ptr<const RayCloud> wayCloud;                   ///< all of them
     std::vector<std::pair<std::string, std::size_t>> wayWords;  ///< how many have each word, commonest first
     std::optional<std::size_t> throughPupil;  ///< how many of them pass the eye, if there is one
 

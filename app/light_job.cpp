@@ -71,6 +71,7 @@ void LightJob::answerAll(LightAnswer& answer, Caches& caches) {
     recordPathRun(answer, cancelled_);
     if (answer.record) caches.records.push_back(answer.record);
     if (answer.pathRun) caches.records.push_back(answer.pathRun);
+    if (hasQuickCloud(answer)) makeTreeCloud(answer, cancelled_);
     finishingFirstPicture_ = false;
     recallPictures(answer, caches.pictures);
     if (!cancelled_) publish(answer);
@@ -79,6 +80,11 @@ void LightJob::answerAll(LightAnswer& answer, Caches& caches) {
         return waiting_.has_value() || quit_;
     };
     const auto publishNow = [&] { publish(answer); };
+    if (answer.treeLines && !superseded()) {
+        makeTreeCloud(answer, cancelled_);
+        publish(answer);
+    }
+    if (answer.tree) caches.records.push_back(answer.tree);
     // First pictures at once, for what is exactly known may take a while.
     if (!superseded()) refinePictures(answer, caches.pictures, cancelled_, publishNow, 1);
     if (!superseded()) refine(answer, caches.references, cancelled_, publishNow);

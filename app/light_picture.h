@@ -32,8 +32,9 @@ struct LightPicture {
 /// Of the false colours.
 inline constexpr double kScaleDecades = 4.0;
 
-/// Ways of light that are followed to be counted, and the first of them that are drawn.
-inline constexpr std::uint32_t kWaysFollowed = 2000, kWaysDrawn = 120;
+/// Ways of light that are followed to be counted and seen as a cloud, and the first of them that are drawn as
+/// lines, so that each can be traced.
+inline constexpr std::uint32_t kWaysFollowed = 2000, kWaysDrawn = 40;
 /// Of the eye (m), by which they are counted.
 inline constexpr double kPupilRadius = 0.01;
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "app/cloud_stages.h"
+#include "app/theme.h"
 #include "core/path_word.h"
 
 namespace halfdisk {
@@ -15,6 +17,8 @@ constexpr double kMostSamplesOfErrorPlot = 4096;
 constexpr double kRaysPerErrorPoint = 1.5e6;
 constexpr std::uint64_t kRunsPerErrorPoint = 48;
 constexpr std::size_t kMostTreeRays = 3000;
+/// Of a cloud; in some 0.3 s. And of one that comes with the first picture.
+constexpr std::size_t kMostCloudRays = 250'000, kMostQuickCloudRays = 20'000;
 
 const PreparedScene& sceneOf(const LightAnswer& answer) {
     return *answer.asked.scene;
@@ -74,7 +78,6 @@ RecordSummary summaryOf(const Record& record) {
         if (event.kind != EventKind::arrival) continue;
         if (isFinite(event.value)) summary.brightest = std::max(summary.brightest, gray(event.value));
         if (event.depth == 0) continue;
-        ++summary.deeperCount;
         if (summary.deeper.size() < kMostTreeRays) summary.deeper.push_back(i);
     }
     return summary;
@@ -192,7 +195,7 @@ void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
         return;
     }
     constexpr std::size_t kEventLimit = 100'000;
-    Recorder recorder(kEventLimit, &cancelled);
+    TreeRecorder recorder(kEventLimit, asked.wantsTree ? kMostCloudRays : 0, &cancelled);
     answer.estimate = gatherOnce(scene.index, answer.point, asked.settings, 0,
                                  SampleRange::all(asked.settings.samples), recorder, answer.rays);
     if (asked.settings.defects != DefectSet{}) {
@@ -215,9 +218,25 @@ void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     if (asked.settings.sampler != Sampler::stratified && own.count > 1)
         answer.standardError = own.standardError();
     answer.summary = summaryOf(*record);
+    answer.summary.deeperCount = recorder.deeperCount();
+    if (asked.wantsTree && asked.run == Run::castRay && recorder.deeperCount() > kMostTreeRays)
+        answer.treeLines = std::make_shared<const std::vector<CloudLine>>(
+            recorder.lines(answer.summary.brightest, 8.0 * glm::length(scene.bounds.size())));
     answer.rows = std::make_shared<const std::vector<SampleRow>>(
         rowsOf(*record, answer.summary, asked.settings.samples));
     answer.record = std::move(record);
+}
+
+bool hasQuickCloud(const LightAnswer& answer) {
+    return answer.treeLines && answer.treeLines->size() <= kMostQuickCloudRays;
+}
+
+void makeTreeCloud(LightAnswer& answer, const std::atomic<bool>& cancelled) {
+    if (!answer.treeLines) return;
+    const Palette palette;
+    answer.tree = cloudOf(*answer.treeLines, answer.asked.scene->bounds, {palette.rayDark, palette.rayBright},
+                          cancelled);
+    answer.treeLines.reset();
 }
 
 void recordPathRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {

@@ -18,6 +18,12 @@ bool isQuick(const LightQuestion& question);
 /// Stage 1. When `cancelled` the answer is not to be used.
 void recordRun(LightAnswer& answer, const std::atomic<bool>& cancelled);
 
+/// The cloud of the recursion's rays, if there is to be one and it is not made yet. After recordRun.
+void makeTreeCloud(LightAnswer& answer, const std::atomic<bool>& cancelled);
+
+/// Whether that is so quick that the first picture can wait for it (some 30 ms).
+bool hasQuickCloud(const LightAnswer& answer);
+
 /// The run of another estimator than castRay, if the question wants one. After recordRun.
 void recordPathRun(LightAnswer& answer, const std::atomic<bool>& cancelled);
 

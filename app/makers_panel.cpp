@@ -149,7 +149,8 @@ void censusLine(const Ui& ui) {
         words += say(", {} through a pupil of {:g} cm at the eye", *state.answer->throughPupil,
                      200.0 * kPupilRadius);
     textWrapped(ui.widgets, words);
-    tooltip(say("The first {} of them are drawn.", std::min<std::size_t>(kWaysDrawn, ways.size())));
+    tooltip(say("All of them are drawn as a cloud, the first {} as lines too.",
+                std::min<std::size_t>(kWaysDrawn, ways.size())));
     wordsLine(ui, ways.size());
 }
 

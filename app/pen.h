@@ -4,10 +4,13 @@
 
 #include <imgui.h>
 
+#include <algorithm>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "app/sheet.h"
+#include "app/textures.h"
 
 namespace halfdisk {
 
@@ -45,6 +48,19 @@ struct Pen {
         if (drawing)
             drawing->polyline({points, static_cast<std::size_t>(count)}, color,
                               (flags & ImDrawFlags_Closed) != 0, thickness);
+    }
+    /// Stretched over the rectangle, which may be far larger than the screen; premultiplied.
+    void AddPicture(const std::shared_ptr<const Image>& picture, ImVec2 min, ImVec2 max) const {
+        if (drawing) drawing->picture(min, max, *picture);
+        // What is in sight of it.
+        const ImVec2 low = screen.GetClipRectMin(), high = screen.GetClipRectMax();
+        const ImVec2 a{std::max(min.x, low.x), std::max(min.y, low.y)},
+            b{std::min(max.x, high.x), std::min(max.y, high.y)};
+        Textures* textures = currentTextures();
+        if (!textures || !(a.x < b.x) || !(a.y < b.y)) return;
+        const ImVec2 size{max.x - min.x, max.y - min.y};
+        screen.AddImage(textures->idOf(picture), a, b, {(a.x - min.x) / size.x, (a.y - min.y) / size.y},
+                        {(b.x - min.x) / size.x, (b.y - min.y) / size.y});
     }
     void PathLineTo(ImVec2 at) const { screen.PathLineTo(at); }
     void PathArcTo(ImVec2 center, float radius, float from, float to, int segments = 0) const {

@@ -8,9 +8,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "app/cloud_stages.h"
 #include "app/false_color.h"
 #include "app/first_look.h"
 #include "app/light_answer.h"
+#include "app/theme.h"
 #include "app/tone.h"
 #include "core/estimators.h"
 #include "core/render.h"
@@ -182,6 +184,35 @@ std::vector<Wanted> wantedPictures(const LightQuestion& asked) {
 
 }  // namespace
 
+namespace {
+
+bool isAbout(const std::optional<FollowedWays>& ways, const LightQuestion& asked) {
+    return ways && ways->scene == asked.scene && ways->maxDepth == asked.settings.maxDepth &&
+           ways->seed == asked.settings.seed;
+}
+
+FollowedWays followed(const LightQuestion& asked, const std::atomic<bool>& cancelled) {
+    FollowedWays made{asked.scene, asked.settings.maxDepth, asked.settings.seed};
+    made.ways = std::make_shared<const std::vector<LightWay>>(
+        lightWays(asked.scene->index, kWaysFollowed, made.maxDepth, made.seed));
+    made.words = countWords(*made.ways);
+    if (const std::optional<Eye>& eye = asked.scene->scene.eye)
+        made.throughPupil = countPassing(*made.ways, eye->position, kPupilRadius);
+    const Palette palette;
+    made.cloud =
+        cloudOf(linesOf(*made.ways), asked.scene->bounds, {palette.rayBright, palette.sample}, cancelled);
+    return made;
+}
+
+void showWays(LightAnswer& answer, const FollowedWays& ways) {
+    answer.ways = ways.ways;
+    answer.wayWords = ways.words;
+    answer.throughPupil = ways.throughPupil;
+    answer.wayCloud = ways.cloud;
+}
+
+}  // namespace
+
 Maker usualMaker(View view) {
     return makerOf(view == View::field ? "light" : "path");
 }
@@ -270,6 +301,8 @@ void recallPictures(LightAnswer& answer, PictureCache& cache) {
         }
         share(answer.pictures.of(view), answer.against.of(view));
     }
+    if (answer.asked.pictures.has(View::paths) && isAbout(cache.ways, answer.asked))
+        showWays(answer, *cache.ways);
     recallStrategies(answer, cache.strategies);
 }
 
@@ -289,11 +322,9 @@ void refinePictures(LightAnswer& answer, PictureCache& cache, const std::atomic<
     bool strategies = prepareStrategies(asked, cache.strategies, cancelled);
     recallPictures(answer, cache);  // also what refuses
     if (asked.pictures.has(View::paths) && !answer.ways) {
-        answer.ways = std::make_shared<const std::vector<LightWay>>(
-            lightWays(asked.scene->index, kWaysFollowed, asked.settings.maxDepth, asked.settings.seed));
-        answer.wayWords = countWords(*answer.ways);
-        if (const std::optional<Eye>& eye = asked.scene->scene.eye)
-            answer.throughPupil = countPassing(*answer.ways, eye->position, kPupilRadius);
+        if (!isAbout(cache.ways, asked)) cache.ways = followed(asked, cancelled);
+        if (!cache.ways->cloud) return cache.ways.reset();  // cancelled
+        showWays(answer, *cache.ways);
         publish();
     }
     for (bool growing = true; growing && turns > 0; --turns) {

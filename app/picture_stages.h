@@ -57,10 +57,22 @@ class PictureWork {
     std::shared_ptr<const LightPicture> picture_;
 };
 
+/// Light that was followed. It is kept while only P and N change.
+struct FollowedWays {
+    std::shared_ptr<const PreparedScene> scene;
+    std::uint32_t maxDepth = 0;
+    std::uint64_t seed = 0;
+    std::shared_ptr<const std::vector<LightWay>> ways{};
+    std::vector<std::pair<std::string, std::size_t>> words{};
+    std::optional<std::size_t> throughPupil{};
+    std::shared_ptr<const RayCloud> cloud{};
+};
+
 struct PictureCache {
     /// By kPictureViews; the first maker's and the second's.
     std::array<std::array<std::unique_ptr<PictureWork>, 2>, kPictureViews.size()> works;
     std::unique_ptr<StrategyWork> strategies;
+    std::optional<FollowedWays> ways;
 };
 
 /// The pictures as far as they are done already, and none that answers another question.

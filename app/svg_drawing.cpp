@@ -153,12 +153,29 @@ void SvgDrawing::cells(ImVec2 min, ImVec2 max, std::span<const std::uint32_t> co
             for (const int shift : {IM_COL32_R_SHIFT, IM_COL32_G_SHIFT, IM_COL32_B_SHIFT, IM_COL32_A_SHIFT})
                 image.rgba.push_back(static_cast<std::uint8_t>(
                     channel(colors[std::size_t{y / times} * columns + x / times], shift)));
-    add(fmt::format(
-        "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\"{} "
-        "style=\"image-rendering:optimizeSpeed;image-rendering:pixelated\" "
-        "xlink:href=\"data:image/png;base64,{}\"/>",
-        number(min.x - min_.x), number(min.y - min_.y), number(max.x - min.x), number(max.y - min.y),
-        opacity < 1.0f ? fmt::format(" opacity=\"{}\"", number(opacity)) : "", base64(encodePng(image))));
+    addImage(min, max, image,
+             fmt::format("{} style=\"image-rendering:optimizeSpeed;image-rendering:pixelated\"",
+                         opacity < 1.0f ? fmt::format(" opacity=\"{}\"", number(opacity)) : ""));
+}
+
+void SvgDrawing::picture(ImVec2 min, ImVec2 max, const Image& premultiplied) {
+    if (premultiplied.rgba.empty()) return;
+    Image image = premultiplied;
+    for (std::size_t i = 0; i + 3 < image.rgba.size(); i += 4) {
+        const unsigned opacity = image.rgba[i + 3];
+        for (std::size_t k = i; opacity > 0 && k < i + 3; ++k)
+            image.rgba[k] =
+                static_cast<std::uint8_t>(std::min(255u, (image.rgba[k] * 255u + opacity / 2) / opacity));
+    }
+    addImage(min, max, image, "");
+}
+
+void SvgDrawing::addImage(ImVec2 min, ImVec2 max, const Image& image, std::string_view attributes) {
+    add(
+        fmt::format("<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" preserveAspectRatio=\"none\"{} "
+                    "xlink:href=\"data:image/png;base64,{}\"/>",
+                    number(min.x - min_.x), number(min.y - min_.y), number(max.x - min.x),
+                    number(max.y - min.y), attributes, base64(encodePng(image))));
 }
 
 void SvgDrawing::text(ImVec2 at, float width, ImU32 color, std::string_view words, const TypeFace& face) {

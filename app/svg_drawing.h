@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "app/fonts.h"
+#include "app/png_image.h"
 
 namespace halfdisk {
 
@@ -30,6 +31,8 @@ class SvgDrawing {
     /// Rows of cells from the top, of equal size, stretched over the rectangle without blur.
     void cells(ImVec2 min, ImVec2 max, std::span<const std::uint32_t> colors, std::uint32_t columns,
                float opacity);
+    /// Stretched over the rectangle, smoothly. Premultiplied.
+    void picture(ImVec2 min, ImVec2 max, const Image& premultiplied);
     /// One line; `at` is the left end of its baseline. In other fonts it is as wide.
     void text(ImVec2 at, float width, ImU32 color, std::string_view words, const TypeFace& face);
 
@@ -43,6 +46,7 @@ class SvgDrawing {
     std::string place(ImVec2 at) const;                     // "x y"
     std::string way(std::span<const ImVec2> points) const;  // from one to the next
     void add(std::string_view element);
+    void addImage(ImVec2 min, ImVec2 max, const Image& image, std::string_view attributes);
     void endStrokes();
 
     std::string name_;

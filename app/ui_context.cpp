@@ -20,10 +20,13 @@ float sensible(float scale) {
 UiContext::UiContext(float uiScale) : context(ImGui::CreateContext()), currentScale(sensible(uiScale)) {
     makeCurrent();
     ImGui::GetIO().IniFilename = nullptr;
+    ImGui::GetIO().BackendRendererUserData = &shownTextures;
     rebuild();
 }
 
 UiContext::~UiContext() {
+    makeCurrent();
+    ImGui::GetIO().BackendRendererUserData = nullptr;
     ImGui::DestroyContext(context);
 }
 

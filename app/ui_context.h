@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/fonts.h"
+#include "app/textures.h"
 
 struct ImGuiContext;
 
@@ -19,6 +20,10 @@ class UiContext {
     UiContext& operator=(const UiContext&) = delete;
 
     void makeCurrent() const;
+
+    /// To be called before ImGui's NewFrame.
+    void beginFrame() { shownTextures.beginFrame(); }
+    const Textures& textures() const { return shownTextures; }
 
     const Fonts& fonts() const { return loadedFonts; }
     float scale() const { return currentScale; }
@@ -37,6 +42,7 @@ class UiContext {
     float currentScale;
     std::optional<float> requestedScale;
     Fonts loadedFonts;
+    Textures shownTextures;
 };
 
 }  // namespace halfdisk

@@ -167,6 +167,7 @@ void WindowHost::frame(const std::function<void()>& draw) {
     glfwMakeContextCurrent(window);
     glfwPollEvents();
     if (ui->applyRequestedScale()) renderer->uploadFonts();
+    ui->beginFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::NewFrame();
     try {
@@ -176,7 +177,7 @@ void WindowHost::frame(const std::function<void()>& draw) {
         throw;
     }
     ImGui::Render();
-    renderer->render(*ImGui::GetDrawData(), Palette{}.background);
+    renderer->render(*ImGui::GetDrawData(), Palette{}.background, ui->textures());
 }
 
 Image WindowHost::readPixels() {

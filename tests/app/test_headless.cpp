@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cstdlib>
+#include <memory>
 #include <optional>
 
 #include "app/headless_host.h"
@@ -49,6 +50,45 @@ TEST_CASE("colours and corners land where they were asked for") {
     CHECK(pixel(image, 9, 5) == Palette{}.background);
     CHECK(pixel(image, 63, 47) == IM_COL32(0, 0, 255, 255));
     CHECK(std::abs(image.at(25, 25)[0] - image.at(40, 25)[0] / 2) <= 2);  // half of the paper shines through
+}
+
+TEST_CASE("a picture is drawn premultiplied, smoothly, in its place, and forgotten when it is not shown") {
+    HeadlessHost host(64, 48);
+    // Red that lets half of the paper through, and nothing.
+    const auto picture = std::make_shared<const Image>(Image{2, 1, {100, 0, 0, 128, 0, 0, 0, 0}});
+    const std::weak_ptr<const Image> watched = picture;
+    unsigned drawn = 0;
+    const auto show = [&](const std::shared_ptr<const Image>& shown) {
+        host.frame([&] {
+            ImDrawList& list = *ImGui::GetBackgroundDrawList();
+            const ImTextureID id = currentTextures()->idOf(shown);
+            drawn = textureName(id);
+            list.AddImage(id, ImVec2(10, 10), ImVec2(50, 30));
+            list.AddRectFilled(ImVec2(0, 0), ImVec2(5, 5), IM_COL32(0, 0, 255, 255));
+        });
+    };
+    show(picture);
+    const Image first = host.readPixels();
+    const ImU32 paper = Palette{}.background;
+    const auto channel = [](ImU32 color, int shift) { return static_cast<int>((color >> shift) & 255u); };
+    CHECK(std::abs(first.at(12, 20)[0] - (100 + channel(paper, 0) * 127 / 255)) <= 2);
+    CHECK(std::abs(first.at(12, 20)[1] - channel(paper, 8) * 127 / 255) <= 2);
+    CHECK(pixel(first, 48, 20) == paper);  // nothing of the other end comes round
+    CHECK(pixel(first, 9, 20) == paper);
+    CHECK(pixel(first, 2, 2) == IM_COL32(0, 0, 255, 255));
+    const int middle = first.at(30, 20)[1];
+    CHECK(middle > first.at(12, 20)[1]);
+    CHECK(middle < channel(paper, 8));
+    const unsigned name = drawn;
+    show(picture);
+    CHECK(drawn == name);
+    CHECK(host.readPixels() == first);
+    show(std::make_shared<const Image>(Image{1, 1, {0, 90, 0, 255}}));
+    CHECK(drawn != name);
+    CHECK(pixel(host.readPixels(), 48, 20) == IM_COL32(0, 90, 0, 255));
+    CHECK(watched.use_count() == 2);  // until the next frame begins
+    host.frame([] {});
+    CHECK(watched.use_count() == 1);
 }
 
 TEST_CASE("more than 65536 vertices in one list are drawn right") {

@@ -103,6 +103,17 @@ TEST_CASE("svg: cells are a picture in the text, whatever their number of bytes"
     CHECK(holds(file, "data:image/png;base64,iVBORw0KGgo"));
 }
 
+TEST_CASE("svg: a premultiplied picture is embedded with its own colours") {
+    SvgDrawing svg = drawing();
+    svg.picture({20, 30}, {60, 50}, {2, 1, {100, 0, 50, 128, 0, 0, 0, 0}});
+    const std::string file = svg.svg("", "");
+    CHECK(readXml(file).fault.empty());
+    CHECK(holds(file, "<image x=\"10\" y=\"10\" width=\"40\" height=\"20\""));
+    CHECK_FALSE(holds(file, "pixelated"));
+    const std::string expected = encodePng({2, 1, {199, 0, 100, 128, 0, 0, 0, 0}});
+    CHECK(holds(file, "base64," + base64(expected)));
+}
+
 TEST_CASE("csv: quotes where they are needed, numbers with every bit, nothing for what is not finite") {
     CsvText table{"name", "value (W/m)"};
     table.cell("a, \"b\"\nc").cell(0.1).endRow();

@@ -75,7 +75,7 @@ void pinPixel(AppState& state, const PinPixel& pin) {
 void setView(AppState& state, const SetView& set) {
     if (set.on && state.rules.hidden.has(set.view)) return;
     // Also the cloud of the recursion's rays is made only where it is seen.
-    const bool picture = kPictureSet.has(set.view) || set.view == View::tree;
+    const bool picture = kPictureSet.has(set.view) || kInstrumentSet.has(set.view) || set.view == View::tree;
     if (picture && set.on && !state.shows(set.view)) ++state.questionId;  // the run and its playback stay
     if (set.view == View::eye) state.eyePixel.reset();
     if (set.view == View::eye && !set.on) pinPixel(state, {});

@@ -90,6 +90,21 @@ void pictureSwitches(const Ui& ui) {
            "every strategy (s, t) of paths from both ends, with its share of the light");
 }
 
+/// On the steps that have one of them, and wherever everything is unlocked.
+void instrumentSwitches(const Ui& ui) {
+    const Step* step = ui.state.currentStep();
+    const bool ofStep = step && (step->show & kInstrumentSet) != ViewSet{};
+    if (step && !ofStep && !ui.state.unlockAll) return;
+    const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
+    for (const auto& [label, view] : {std::pair{"Trade", View::trade}, std::pair{"Extremes", View::extremes},
+                                      std::pair{"Requirements", View::requirements}}) {
+        sameLineIfFits(label, width);
+        bool on = ui.state.shows(view);
+        if (toggle(ui.widgets, label, on, {width, 0})) ui.commands.push_back(SetView{view, on});
+        tooltip(meaningOf(view, ui.state.run));
+    }
+}
+
 }  // namespace
 
 void controlsPanel(const Ui& ui) {
@@ -122,7 +137,10 @@ void controlsPanel(const Ui& ui) {
         whileUnlocked(ui, Control::defects, [&] { defectSwitches(ui, settings); });
     if (!(settings == state.settings)) ui.commands.push_back(SetSettings{settings});
 
-    if (!state.rules.kiosk) pictureSwitches(ui);
+    if (!state.rules.kiosk) {
+        pictureSwitches(ui);
+        instrumentSwitches(ui);
+    }
     if (!step) return;
     if (state.rules.kiosk) {
         if (button(ui.widgets, "Reset", {-1, 0})) ui.commands.push_back(ResetStep{});

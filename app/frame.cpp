@@ -1,6 +1,7 @@
 #include "app/frame.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/imgui_compat.h"
@@ -33,35 +34,47 @@ void scenePanels(const Ui& ui, ImVec2 size) {
     eyeStrip(ui, {size.x, strips});
 }
 
+/// What stands below the canvas, the first one that is shown; the others go to the controls.
+struct LowerPanel {
+    View view;
+    void (*draw)(const Ui& ui, ImVec2 size);
+    float share;        ///< of the stage's height
+    float most = 1e9f;  ///< design pixels
+    float rows = 0.0f;  ///< design pixels that it needs among the controls
+};
+
+constexpr std::array kLowerPanels{
+    LowerPanel{View::code, codePanel, 0.46f},
+    LowerPanel{View::trade, tradePanel, 0.55f, 1e9f, 360.0f},
+    LowerPanel{View::extremes, extremesPanel, 0.5f, 1e9f, 300.0f},
+    LowerPanel{View::requirements, requirementsPanel, 0.55f, 1e9f, 360.0f},
+    LowerPanel{View::strategies, strategiesPanel, 0.5f, 1e9f, 360.0f},
+    LowerPanel{View::samples, samplesPanel, 0.46f},
+    LowerPanel{View::profile, profilePlot, 0.4f, 300.0f},
+    LowerPanel{View::integrand, integrandPlot, 0.4f, 300.0f},
+};
+
+const LowerPanel* lowerPanel(const AppState& state) {
+    const auto shown = std::find_if(kLowerPanels.begin(), kLowerPanels.end(),
+                                    [&](const LowerPanel& panel) { return state.shows(panel.view); });
+    return shown == kLowerPanels.end() ? nullptr : &*shown;
+}
+
 void stage(const Ui& ui) {
     const AppState& state = ui.state;
-    const bool code = state.shows(View::code), profile = state.shows(View::profile);
-    const bool grid = state.shows(View::strategies) && !code;
-    const bool list = state.shows(View::samples) && !code;
-    const bool plot = grid || profile || list || state.shows(View::integrand);
+    const LowerPanel* lower = lowerPanel(state);
     const bool low = ImGui::GetContentRegionAvail().y < kLowStage * ui.scale;
-    if (low && (code || plot)) {
+    if (low && lower) {
         bool hidden = state.canvasHidden;
-        if (toggle(ui.widgets, code ? "Code" : "Plot", hidden)) ui.commands.push_back(HideCanvas{hidden});
+        if (toggle(ui.widgets, lower->view == View::code ? "Code" : "Plot", hidden))
+            ui.commands.push_back(HideCanvas{hidden});
         tooltip("what belongs below the canvas, in its place");
     }
     const ImVec2 all = ImGui::GetContentRegionAvail();
-    if ((!code && !plot) || (low && !state.canvasHidden)) return scenePanels(ui, all);
-    const float below = std::floor(grid           ? 0.5f * all.y
-                                   : code || list ? 0.46f * all.y
-                                                  : std::min(0.4f * all.y, 300 * ui.scale));
-    const ImVec2 rest{all.x, low ? all.y : below};
+    if (!lower || (low && !state.canvasHidden)) return scenePanels(ui, all);
+    const float below = std::floor(std::min(lower->share * all.y, lower->most * ui.scale));
     if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
-    if (code)
-        codePanel(ui, rest);
-    else if (grid)
-        strategiesPanel(ui, rest);
-    else if (list)
-        samplesPanel(ui, rest);
-    else if (profile)
-        profilePlot(ui, rest);
-    else
-        integrandPlot(ui, rest);
+    lower->draw(ui, {all.x, low ? all.y : below});
 }
 
 void controls(const Ui& ui) {
@@ -76,25 +89,20 @@ void controls(const Ui& ui) {
         ImGui::Separator();
         numbersPanel(ui);
     }
-    std::vector<void (*)(const Ui&, ImVec2)> plots;
-    const bool code = state.shows(View::code), profile = state.shows(View::profile);
-    const bool grid = state.shows(View::strategies), list = state.shows(View::samples);
-    if (code && grid) plots.push_back(strategiesPanel);
-    if ((code || grid) && list) plots.push_back(samplesPanel);
-    if ((code || grid || list) && profile) plots.push_back(profilePlot);
-    if ((code || grid || profile || list) && state.shows(View::integrand)) plots.push_back(integrandPlot);
-    if (state.shows(View::error)) plots.push_back(errorPlot);
-    if (state.shows(View::histogram)) plots.push_back(histogramPlot);
+    std::vector<LowerPanel> plots;
+    const LowerPanel* lower = lowerPanel(state);
+    for (const LowerPanel& panel : kLowerPanels)
+        if (state.shows(panel.view) && &panel != lower) plots.push_back(panel);
+    if (state.shows(View::error)) plots.push_back({View::error, errorPlot, 0.0f});
+    if (state.shows(View::histogram)) plots.push_back({View::histogram, histogramPlot, 0.0f});
     if (plots.empty()) return;
     ImGui::Separator();
     const ImVec2 left = ImGui::GetContentRegionAvail();
     const float spacing = ImGui::GetStyle().ItemSpacing.y;
     const float count = static_cast<float>(plots.size());
     const float height = std::clamp((left.y - spacing * (count - 1)) / count, 170 * ui.scale, 260 * ui.scale);
-    // Five rows with words in each.
-    const float rows = 360 * ui.scale;
-    for (const auto plot : plots)
-        plot(ui, {left.x, std::floor(plot == strategiesPanel ? std::max(height, rows) : height)});
+    for (const LowerPanel& plot : plots)
+        plot.draw(ui, {left.x, std::floor(std::max(height, plot.rows * ui.scale))});
 }
 
 void column(const Ui& ui, Pane pane, float x, float width, float top) {
@@ -204,8 +212,8 @@ void askLight(Session& session) {
     if (session.asked == state.questionId) return;
     session.asked = state.questionId;
     session.light.ask({state.questionId, state.scene, state.at, state.settings, state.shows(View::damage),
-                       state.show & kPictureSet, state.makers, state.shownRun(), state.pinnedPixel,
-                       state.shows(View::tree), session.effort});
+                       state.show & kPictureSet, state.show & kInstrumentSet, state.makers, state.shownRun(),
+                       state.pinnedPixel, state.shows(View::tree), session.effort});
 }
 
 void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {

@@ -38,6 +38,7 @@ struct LightQuestion {
     Settings settings{};
     bool wantsDamage = false;              ///< also what each defect alone does
     ViewSet pictures{};                    ///< of kPictureSet: those that are wanted too
+    ViewSet instruments{};                 ///< of kInstrumentSet: those that are wanted too
     Makers makers{};                       ///< of the pictures
     Run run = Run::castRay;                ///< that is recorded
     std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, if its run is recorded and not that at P

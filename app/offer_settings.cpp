@@ -31,7 +31,10 @@ bool isOffered(const AppState& state, View view) {
     if (state.rules.hidden.has(view)) return false;
     if (view == View::grid || view == View::eye || view == View::field) return true;  // keys do
     const Step* step = state.currentStep();
-    const bool ofStep = step && (step->show & kPictureSet) != ViewSet{} && kPictureSet.has(view);
+    const auto ofStepIn = [&](ViewSet set) {
+        return step && (step->show & set) != ViewSet{} && set.has(view);
+    };
+    const bool ofStep = ofStepIn(kPictureSet) || ofStepIn(kInstrumentSet);
     return !state.rules.kiosk && (!step || state.unlockAll || ofStep);
 }
 

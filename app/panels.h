@@ -24,6 +24,12 @@ void makersPanel(const Ui& ui);
 void samplesPanel(const Ui& ui, ImVec2 size);
 /// Every strategy of paths from both ends, side by side.
 void strategiesPanel(const Ui& ui, ImVec2 size);
+/// What accuracy costs: every estimator on this scene.
+void tradePanel(const Ui& ui, ImVec2 size);
+/// The scene at an extreme, and what happens there.
+void extremesPanel(const Ui& ui, ImVec2 size);
+/// What the scene requires, and what each part costs.
+void requirementsPanel(const Ui& ui, ImVec2 size);
 void profilePlot(const Ui& ui, ImVec2 size);
 void integrandPlot(const Ui& ui, ImVec2 size);
 void errorPlot(const Ui& ui, ImVec2 size);

@@ -248,6 +248,9 @@ std::string drawingTitle(const AppState& state, std::string_view name) {
     if (name == "eye") return std::string(tr("What the eye sees"));
     if (name == "field") return std::string(tr("The field of light"));
     if (name == "strategies") return std::string(tr("All strategies (s, t)"));
+    if (name == "trade") return std::string(tr("What accuracy costs here"));
+    if (name == "extremes") return std::string(tr("This scene at the extremes"));
+    if (name == "requirements") return std::string(tr("What this scene requires"));
     return std::string(tr("The scene"));
 }
 

@@ -38,7 +38,10 @@ enum class View : std::uint8_t {
     paths,
     samples,
     difference,
-    strategies
+    strategies,
+    trade,
+    extremes,
+    requirements
 };
 
 /// What a step can unlock for the reader's hand.
@@ -55,7 +58,7 @@ enum class Control : std::uint8_t {
     params
 };
 
-inline constexpr std::array<Named<View>, 18> kViews{{
+inline constexpr std::array<Named<View>, 21> kViews{{
     {View::halfdisk, "halfdisk", "the half-disk over P; with rays, also the sample points on its arc"},
     {View::rays, "rays", "the sample rays, coloured by what they bring back"},
     {View::tree, "tree", "the rays of the recursion, fading with depth"},
@@ -76,6 +79,10 @@ inline constexpr std::array<Named<View>, 18> kViews{{
      "how the eye's strip and the light along P's wall differ from the exact ones"},
     {View::strategies, "strategies",
      "every strategy (s, t) of paths from both ends, with its share of the light"},
+    {View::trade, "trade", "what accuracy costs: the error of every estimator against its rays"},
+    {View::extremes, "extremes",
+     "the scene moved to an extreme, and what leaks, hits itself or is not finite there"},
+    {View::requirements, "requirements", "what this scene requires, why, and what each part costs"},
 }};
 
 inline constexpr std::array<Named<Control>, 10> kControls{{
@@ -132,6 +139,13 @@ inline constexpr ViewSet kPictureSet = [] {
     for (const View view :
          {View::eye, View::field, View::profile, View::paths, View::difference, View::strategies})
         set.set(view, true);
+    return set;
+}();
+
+/// Those that measure the program itself on this scene.
+inline constexpr ViewSet kInstrumentSet = [] {
+    ViewSet set;
+    for (const View view : {View::trade, View::extremes, View::requirements}) set.set(view, true);
     return set;
 }();
 

@@ -1,0 +1,10 @@
+#include "app/panels.h"
+#include "app/plot.h"
+
+namespace halfdisk {
+
+void requirementsPanel(const Ui& ui, ImVec2 size) {
+    beginPlot(ui, "requirements", drawingTitle(ui.state, "requirements"), size, {}, {});
+}
+
+}  // namespace halfdisk

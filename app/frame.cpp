@@ -204,7 +204,8 @@ void askLight(Session& session) {
     if (session.asked == state.questionId) return;
     session.asked = state.questionId;
     session.light.ask({state.questionId, state.scene, state.at, state.settings, state.shows(View::damage),
-                       state.show & kPictureSet, state.makers, state.shownRun(), state.pinnedPixel});
+                       state.show & kPictureSet, state.makers, state.shownRun(), state.pinnedPixel,
+                       state.pinnedSide});
 }
 
 void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {

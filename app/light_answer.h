@@ -39,6 +39,7 @@ struct LightQuestion {
     Makers makers{};                       ///< of the pictures
     Run run = Run::castRay;                ///< that is recorded
     std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, if its run is recorded and not that at P
+    Side pixelOf = Side::first;            ///< whose strip it is of
 };
 
 /// What one maker made; null: not begun, not wanted, or (eye) the scene has none.

@@ -52,7 +52,10 @@ std::vector<NumberWords> pathRunNumbers(const AppState& state, const LightAnswer
     std::vector<NumberWords> numbers;
     const auto pixel = pixelOf(answer);
     const std::string name =
-        pixel ? say("estimate of L, pixel {} of the eye's strip", *pixel) : std::string(tr("estimate of E"));
+        pixel && answer.asked.makers.second
+            ? say("estimate of L, pixel {} of strip {}", *pixel, nameOf(kSides, answer.asked.pixelOf))
+        : pixel ? say("estimate of L, pixel {} of the eye's strip", *pixel)
+                : std::string(tr("estimate of E"));
     if (state.shows(View::exact))
         add(numbers, pixel ? "exact E at P" : "exact E",
             answer.exact ? irradiance(*answer.exact) : std::string(tr("not known")));

@@ -6,6 +6,8 @@
 
 #include "app/draw_text.h"
 #include "app/language.h"
+#include "app/picture_stages.h"
+#include "app/shown_pictures.h"
 
 namespace halfdisk {
 namespace {
@@ -81,6 +83,19 @@ bool isOfRow(const LightAnswer& answer, const SampleRow& row, std::size_t event)
     if (event >= events.size()) return false;
     const std::uint32_t path = events[event].path;
     return (answer.asked.run == Run::bidirectional ? path / 2 : path) == row.number;
+}
+
+std::string whosePixel(const LightAnswer& answer) {
+    const LightQuestion& asked = answer.asked;
+    if (!pixelOf(answer) || !asked.makers.second) return "";
+    const Maker first = asked.makers.first.value_or(usualMaker(View::eye));
+    const bool isSecond = asked.pixelOf == Side::second;
+    const Maker &own = isSecond ? *asked.makers.second : first,
+                &other = isSecond ? first : *asked.makers.second;
+    const std::string title = fmt::format("{}: {}", nameOf(kSides, asked.pixelOf), makerTitle(own, &other));
+    const std::string_view told = nameOf(kRuns, asked.run);
+    if (own.estimator == told) return title;
+    return say("{}; its paths by {}", title, tr(findEstimator(told)->title));
 }
 
 std::string pixelSumWords(const LightAnswer& answer) {

@@ -23,6 +23,9 @@ std::string sampleMeaning(const LightAnswer& answer, const SampleRow& row);
 bool isOfRow(const LightAnswer& answer, const SampleRow& row, std::size_t event);
 
 // Of a pixel's run:
+/// Where two estimators are compared: which of them the pixel is of, or whose run is shown instead. Else
+/// empty.
+std::string whosePixel(const LightAnswer& answer);
 /// How the paths' sum makes the pixel's value, and in few words.
 std::string pixelSumWords(const LightAnswer& answer);
 std::string shortPixelSumWords(const LightAnswer& answer, bool unit);

@@ -52,6 +52,11 @@ void headOfPixel(const Ui& ui) {
     const LightAnswer& answer = *ui.state.answer;
     const float room =
         ImGui::GetContentRegionAvail().x - buttonWidth("Back to P") - buttonWidth("Largest first");
+    if (const std::string whose = whosePixel(answer); !whose.empty()) {
+        text(ui.widgets, firstThatFits({whose}, ImGui::GetContentRegionAvail().x));
+        tooltip(whose);
+        ImGui::AlignTextToFramePadding();
+    }
     std::string words = pixelSumWords(answer);
     for (const bool unit : {true, false})
         if (textSize(words).x > room) words = shortPixelSumWords(answer, unit);

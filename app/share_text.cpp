@@ -104,10 +104,13 @@ AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     state.strategiesAlone = json.contains("alone") && json["alone"] == true;
     if (json.contains("run")) state.run = named(json, "run", kRuns);
     state.pinnedPixel.reset();
+    state.pinnedSide = Side::first;
     if (json.contains("pixel")) {
         const auto pixel = static_cast<std::uint32_t>(whole(json, "pixel", 0, kEyeStripPixels - 1));
         if (!canPin(state, pixel)) failDamaged();
         state.pinnedPixel = pixel;
+        if (json.contains("pixelOf")) state.pinnedSide = named(json, "pixelOf", kSides);
+        if (state.pinnedSide == Side::second && !state.makers.second) failDamaged();
     }
     state.playback.stepping = json.contains("event");
     state.playback.event = state.playback.stepping ? whole(json, "event", 0, UINT32_MAX) : 0;
@@ -146,6 +149,7 @@ std::string shareText(const AppState& state) {
     if (state.strategiesAlone) json["alone"] = true;
     if (state.run != Run::castRay) json["run"] = std::string(nameOf(kRuns, state.run));
     if (state.pinnedPixel) json["pixel"] = *state.pinnedPixel;
+    if (state.pinnedSide == Side::second) json["pixelOf"] = std::string(nameOf(kSides, state.pinnedSide));
     if (state.playback.stepping) json["event"] = state.playback.event;
     return std::string(kPrefix) + packedText(json.dump());
 }

@@ -207,6 +207,7 @@ void addPathRun(WordsPage& page, const AppState& state, const PathRun& run) {
                        unitOf(answer)));
     if (run.record.truncated) page.paragraph(tr("Later paths were left out of the record."));
     addKinds(page, run.record.events, kPathEventKinds);
+    if (const std::string whose = whosePixel(answer); !whose.empty()) page.paragraph(whose);
     if (pixel) page.paragraph(pixelSumWords(answer));
     if (pixel) page.paragraph(pixelSumMeaning(answer));
     addPlayback(page, state);

@@ -94,6 +94,12 @@ class LessonReader {
         if (const TomlValue* event = table.optional("event"))
             values.event = static_cast<std::uint32_t>(readWhole(file_, "event", *event, {0, kMostEvents}));
         if (const TomlValue* pixel = table.optional("pixel")) values.pixel = readPixel(*pixel);
+        if (const TomlValue* whose = table.optional("pixelOf")) {
+            values.pixelOf = readNamed(file_, "pixelOf", *whose, kSides);
+            if (values.pixelOf == Side::second && !values.makers.second)
+                failAt(file_, whose->where,
+                       "\"pixelOf\" is the second of two, expected \"against\" beside it");
+        }
         table.finish();
     }
 

@@ -5,6 +5,7 @@
 
 #include "app/imgui_compat.h"
 #include "app/panels.h"
+#include "app/profile_difference.h"
 
 namespace halfdisk {
 namespace {
@@ -47,9 +48,11 @@ void stage(const Ui& ui) {
     }
     const ImVec2 all = ImGui::GetContentRegionAvail();
     if ((!code && !plot) || (low && !state.canvasHidden)) return scenePanels(ui, all);
-    const float below = std::floor(grid           ? 0.5f * all.y
-                                   : code || list ? 0.46f * all.y
-                                                  : std::min(0.4f * all.y, 300 * ui.scale));
+    const bool two = profile && plotsDifference(state);  // plots below each other
+    const float below = std::floor(grid                    ? 0.5f * all.y
+                                   : two && !code && !list ? std::min(0.6f * all.y, 460 * ui.scale)
+                                   : code || list          ? 0.46f * all.y
+                                                           : std::min(0.4f * all.y, 300 * ui.scale));
     const ImVec2 rest{all.x, low ? all.y : below};
     if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     if (code)

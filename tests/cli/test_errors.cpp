@@ -12,6 +12,7 @@ using halfdisk_test::Outcome;
 using halfdisk_test::runProgram;
 using halfdisk_test::runProgramInto;
 using halfdisk_test::sceneFile;
+using halfdisk_test::TemporaryFolder;
 
 namespace {
 

@@ -179,7 +179,8 @@ void drawExactRow(const Ui& ui, const StripDifferences& exact, float width) {
         "is "
         "too bright, blue where it is too dark, paper where it is right.");
     const Place place = stripPlace(ui, origin, width);
-    const std::string range = exact.exact.empty() ? "" : say("\u00b1 {:g} % of white", 100.0 * exact.share);
+    const std::string range =
+        exact.exact.empty() || exact.share == 0.0 ? "" : say("\u00b1 {:g} % of white", 100.0 * exact.share);
     drawTitle(ui, origin, width,
               range.empty()
                   ? std::string(tr("exactly"))

@@ -128,7 +128,9 @@ void enterStep(AppState& state, std::size_t step) {
     state.strategiesAlone = false;
     state.sampleRange.reset();
     state.largestFirst = false;
-    pinIfPossible(state, state.sceneOverride.empty() ? values.pixel : std::nullopt, values.pixelOf);
+    pinIfPossible(state, values.pixel, values.pixelOf);
+    if (values.pixel && !state.scene->scene.eye)
+        state.notice = tr("This step looks into a pixel of the eye's strip, but the scene has no eye.");
     state.split = 0.5f;
     askAnew(state);
     const bool stepping = entered.unlock == Control::step || entered.values.event > 0;

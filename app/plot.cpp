@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/draw_text.h"
+#include "app/language.h"
 #include "app/pen.h"
 
 namespace halfdisk {
@@ -32,7 +33,7 @@ std::vector<Tick> linearTicks(const PlotAxis& axis, int about) {
     for (int i = 0; i < kMostTicks; ++i) {
         const double value = (first + i) * step;
         if (value > axis.to + 1e-9 * step) break;
-        ticks.push_back({value, value == 0.0 ? "0" : fmt::format("{:.6g}", value)});
+        ticks.push_back({value, value == 0.0 ? "0" : local(fmt::format("{:.6g}", value))});
     }
     return ticks;
 }
@@ -44,7 +45,7 @@ std::vector<Tick> logarithmicTicks(const PlotAxis& axis, int about) {
     std::vector<Tick> ticks;
     for (int power = low; power <= high; power += every) {
         const double value = std::pow(10.0, power);
-        ticks.push_back({value, fmt::format("{:g}", value)});
+        ticks.push_back({value, local(fmt::format("{:g}", value))});
     }
     return ticks;
 }

@@ -38,7 +38,7 @@ std::vector<double> partMeans(const std::vector<double>& values, std::size_t par
 std::string listed(const std::vector<double>& values) {
     std::string words;
     for (const double value : values) words += fmt::format("{}{:.3g}", words.empty() ? "" : ", ", value);
-    return words;
+    return local(words);
 }
 
 std::vector<double> graysOf(const LightPicture& picture) {

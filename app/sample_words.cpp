@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/draw_text.h"
 #include "app/language.h"
@@ -59,7 +60,10 @@ Rgb sampleValue(const LightAnswer& answer, const SampleRow& row) {
     return pixelOf(answer) ? row.adds * static_cast<double>(answer.pathRun->divisor) : row.adds;
 }
 
-std::string sampleNumber(const LightAnswer& answer, const SampleRow& row) {
+std::string sampleNumber(const LightAnswer& answer, const SampleRow& row, double most) {
+    constexpr double kNothing = 1e-12;
+    const double adds = std::max({std::abs(row.adds.x), std::abs(row.adds.y), std::abs(row.adds.z)});
+    if (adds > 0.0 && adds < kNothing * most) return "\u2248 0";
     const Rgb value = sampleValue(answer, row);
     return pixelOf(answer) ? shown(gray(value)) : shown(value);
 }

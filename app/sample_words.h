@@ -14,7 +14,8 @@ std::string sampleName(const LightAnswer& answer, const SampleRow& row);
 /// what the sample adds to the estimate.
 Rgb sampleValue(const LightAnswer& answer, const SampleRow& row);
 /// As it stands in the list; of a pixel's coloured light the mean of red, green and blue.
-std::string sampleNumber(const LightAnswer& answer, const SampleRow& row);
+/// `most` is what the brightest row adds: what rounding leaves beside it is "\u2248 0".
+std::string sampleNumber(const LightAnswer& answer, const SampleRow& row, double most);
 
 /// In full, for a reader who wants to know.
 std::string sampleMeaning(const LightAnswer& answer, const SampleRow& row);

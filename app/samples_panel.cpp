@@ -85,7 +85,7 @@ void sampleLine(const Ui& ui, const SampleRow& row, double most, float nameWidth
     const LightAnswer& answer = *ui.state.answer;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetFontSize() + 2 * ui.scale;
-    const std::string value = sampleNumber(answer, row);
+    const std::string value = sampleNumber(answer, row, most);
     if (ImGui::InvisibleButton(fmt::format("sample{}", row.event).c_str(), {width, line}))
         ui.commands.push_back(SetEvent{row.event});
     const bool hovered = ImGui::IsItemHovered();

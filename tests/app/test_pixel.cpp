@@ -328,6 +328,34 @@ TEST_CASE("two settings of one estimator: the pixel's run is that of the strip t
     CHECK(rig.state().answer->pathRun->record.events.size() < deep);
 }
 
+TEST_CASE("a step's pixel is pinned in another scene too, or its absence is told") {
+    const auto lessons = courseLessons();
+    Lesson lesson = openLesson(lessons, LessonRef{"wasted-rays", 1}).lesson.value();
+    const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(),
+                                   [](const Step& one) { return one.values.pixel.has_value(); });
+    REQUIRE(step != lesson.steps.end());
+    const LessonRef ref{"wasted-rays", static_cast<int>(step - lesson.steps.begin()) + 1};
+    const AppState seen = openLesson(lessons, ref, lessons / "scenes/mirror_room.toml");
+    CHECK(seen.pinnedPixel == step->values.pixel);
+    CHECK(seen.notice.empty());
+    const AppState unseen = openLesson(lessons, ref, lessons / "scenes/small_room.toml");
+    CHECK_FALSE(unseen.pinnedPixel);
+    CHECK(unseen.notice.find("no eye") != std::string::npos);
+}
+
+TEST_CASE("what rounding leaves beside a bright path is about nothing") {
+    Rig rig(room());
+    rig.apply(PinPixel{kPixel});
+    rig.settle();
+    SampleRow row = rig.state().answer->rows->front();
+    for (const auto& [adds, words] : {std::pair{1e-66, "\u2248 0"}, std::pair{0.0, "0"}}) {
+        row.adds = Rgb(adds);
+        CHECK(sampleNumber(*rig.state().answer, row, 1.0) == words);
+    }
+    row.adds = Rgb(1e-3);
+    CHECK(sampleNumber(*rig.state().answer, row, 1.0) != "\u2248 0");
+}
+
 TEST_CASE("keys move into the strip and along it, and the palette names every pixel") {
     Rig rig(room());
     rig.settle();

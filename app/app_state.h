@@ -67,6 +67,7 @@ struct AppState {
     PlaySpeed speed = PlaySpeed::usual;
     Run run = Run::castRay;                    ///< that is stepped through; see shownRun
     std::optional<std::uint32_t> pinnedPixel;  ///< of the eye's strip: the run is about it, not about P
+    Side pinnedSide = Side::first;  ///< whose strip it is of: the second one's only if there is one
     FieldScale scale = FieldScale::light;
     std::optional<std::size_t> shownSample;                ///< of the list, under the pointer: its step
     std::optional<std::pair<double, double>> sampleRange;  ///< W/m: the list shows only what adds so much
@@ -122,12 +123,16 @@ struct AppState {
             if (shows(view)) return view;
         return std::nullopt;
     }
+    /// Whose pixel is pinned; none: the usual one's.
+    const std::optional<Maker>& pinnedMaker() const {
+        return pinnedSide == Side::second ? makers.second : makers.first;
+    }
     /// castRay gathers over half-disks, which an eye has not: a pixel's run is then that of the estimator
     /// which makes the strip, or of path if that one is not recorded.
     Run shownRun() const {
         if (!pinnedPixel || run != Run::castRay) return run;
-        const auto made =
-            makers.first ? valueOf(kRuns, std::string_view(makers.first->estimator)) : std::nullopt;
+        const std::optional<Maker>& maker = pinnedMaker();
+        const auto made = maker ? valueOf(kRuns, std::string_view(maker->estimator)) : std::nullopt;
         return made && *made != Run::castRay ? *made : Run::path;
     }
     /// Of the run that is stepped through.

@@ -10,6 +10,7 @@
 #include "app/cli_actions.h"
 #include "app/cli_commands.h"
 #include "app/cli_output.h"
+#include "app/render_output.h"
 #include "core/intersect.h"
 #include "lessons/scene_file.h"
 #include "lessons/scene_keys.h"
@@ -161,7 +162,9 @@ int runCheck(const std::string& file, bool asJson) {
 }
 
 int runWrite(const std::string& file, const std::string& output) {
-    saveScene(loadScene(file), output);
+    const SceneDescription scene = loadScene(file);
+    refuseUnwritable(output);
+    saveScene(scene, output);
     return kExitSuccess;
 }
 

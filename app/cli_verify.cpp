@@ -32,19 +32,29 @@ struct Tally {
     Json typed = Json::array();  ///< numbers of texts that no claim measures
 };
 
-/// The lesson files that are meant, each once.
-std::vector<std::filesystem::path> filesOf(const VerifyTexts& texts, const std::filesystem::path& folder) {
-    std::vector<std::filesystem::path> files;
+struct Wanted {
+    std::filesystem::path file;
+    std::optional<LessonRef> step{};  ///< none: all of them
+};
+
+std::vector<Wanted> wantedOf(const VerifyTexts& texts, const std::filesystem::path& folder) {
+    std::vector<Wanted> wanted;
     if (texts.lessons.empty()) {
-        for (const LessonEntry& entry : listLessons(folder)) files.push_back(entry.path);
-        return files;
+        for (const LessonEntry& entry : listLessons(folder)) wanted.push_back({entry.path});
+        return wanted;
     }
     for (const std::string& name : texts.lessons) {
         const bool isFile = std::filesystem::path(name).extension() == ".toml";
-        files.push_back(isFile ? std::filesystem::path(name)
-                               : findLesson(listLessons(folder), parseLessonRef(name)).path);
+        if (isFile) {
+            wanted.push_back({name});
+            continue;
+        }
+        const LessonRef ref = parseLessonRef(name);
+        const bool oneStep = name.find(':') != std::string::npos;
+        wanted.push_back(
+            {findLesson(listLessons(folder), ref).path, oneStep ? std::optional(ref) : std::nullopt});
     }
-    return files;
+    return wanted;
 }
 
 Json claimJson(const Lesson& lesson, std::size_t step, const Claim& claim, const ClaimResult& result) {
@@ -73,10 +83,13 @@ std::string measuredText(const Claim& claim, const ClaimResult& result) {
     return fmt::format("{} is {:.6g} / {:.6g} = {:.6g}", quantity, result.of, *result.over, result.value);
 }
 
-void verifyLesson(const Lesson& lesson, unsigned threads, bool asJson, Tally& tally) {
+void verifyLesson(const Lesson& lesson, const std::optional<LessonRef>& only, unsigned threads, bool asJson,
+                  Tally& tally) {
     const Scene scene = expandScene(lesson.scene);
     const SegmentIndex index(scene);
-    for (std::size_t step = 0; step < lesson.steps.size(); ++step)
+    const std::size_t first = only ? stepIndex(lesson, *only) : 0;
+    const std::size_t end = only ? first + 1 : lesson.steps.size();
+    for (std::size_t step = first; step < end; ++step)
         for (const Claim& claim : lesson.steps[step].claims) {
             const ClaimResult result = checkClaim(lesson.file.string(), index, claim, threads);
             ++(result.holds ? tally.held : tally.failed);
@@ -132,9 +145,9 @@ void noteTypedNumbers(const std::filesystem::path& file, bool asJson, Tally& tal
 int runVerify(const VerifyTexts& texts, const std::filesystem::path& folder) {
     const unsigned threads = threadsArgument(texts.threads);
     Tally tally;
-    for (const std::filesystem::path& file : filesOf(texts, folder)) {
+    for (const auto& [file, step] : wantedOf(texts, folder)) {
         checkTranslations(file);
-        verifyLesson(loadLesson(file), threads, texts.json, tally);
+        verifyLesson(loadLesson(file), step, threads, texts.json, tally);
         if (texts.prose) noteTypedNumbers(file, texts.json, tally);
     }
     if (texts.json) {
@@ -159,8 +172,10 @@ void addVerifyCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
     const auto texts = std::make_shared<VerifyTexts>();
     CLI::App* command =
         app.add_subcommand("verify", "measure what the lessons claim, and tell whether it is true");
-    command->add_option("lessons", texts->lessons, "lessons by slug or number, or lesson files; none: all")
-        ->type_name("LESSON|FILE ...");
+    command
+        ->add_option("lessons", texts->lessons,
+                     "lessons by slug or number, one step of them (4:2), or lesson files; none: all")
+        ->type_name("LESSON[:STEP]|FILE ...");
     command->add_option("--threads", texts->threads, "threads; the answer does not depend on it")
         ->type_name("T");
     command->add_flag("--json", texts->json, "print one JSON object");
@@ -174,6 +189,7 @@ void addVerifyCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
         "not true is told with file, line and what was measured; the exit code is then 1.\n\nExamples:\n"
         "  halfdisk verify\n"
         "  halfdisk verify caustic 4 --json\n"
+        "  halfdisk verify as-printed:3\n"
         "  halfdisk verify --prose\n"
         "  halfdisk verify ~/my-course/01-light.toml");
     command->callback([&chosen, texts, &lessonsFolder] {

@@ -62,8 +62,16 @@ void jumpToSource(AppState& state, const JumpToSource& jump) {
 
 /// The list comes with it, and goes again where the step has none.
 void pinPixel(AppState& state, const PinPixel& pin) {
-    if (pin.pixel == state.pinnedPixel || (pin.pixel && !canPin(state, *pin.pixel))) return;
+    const Side side = pin.pixel && state.makers.second ? pin.side : Side::first;
+    if (pin.pixel == state.pinnedPixel && side == state.pinnedSide) return;
+    if (pin.pixel && !canPin(state, *pin.pixel)) return;
+    const bool otherStrip = pin.pixel && (!state.pinnedPixel || side != state.pinnedSide);
     state.pinnedPixel = pin.pixel;
+    state.pinnedSide = side;
+    // A strip that is looked into tells its own run; within it another one may be chosen.
+    if (otherStrip && state.makers.second && state.run != Run::castRay)
+        if (const auto& maker = state.pinnedMaker())
+            if (const auto own = valueOf(kRuns, std::string_view(maker->estimator))) state.run = *own;
     state.sampleRange.reset();
     const Step* step = state.currentStep();
     const bool listed = !step || state.unlockAll || step->show.has(View::samples);
@@ -164,6 +172,7 @@ void applyUnchecked(AppState& state, const Command& command) {
                 if (state.makers == c.makers) return;
                 const Run before = state.shownRun();
                 state.makers = c.makers;
+                if (!state.makers.second) state.pinnedSide = Side::first;
                 if (state.shownRun() != before) askAnew(state);
                 ++state.questionId;  // the run and its playback stay
             },

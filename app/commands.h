@@ -150,6 +150,7 @@ struct LookAlong {
 };
 struct PinPixel {
     std::optional<std::uint32_t> pixel;  ///< of the eye's strip: the run becomes its own; none: back to P
+    Side side = Side::first;             ///< whose strip, where two are compared
 };
 struct ShowPane {
     Pane pane;

@@ -101,7 +101,8 @@ void instrumentSwitches(const Ui& ui) {
         sameLineIfFits(label, width);
         bool on = ui.state.shows(view);
         if (toggle(ui.widgets, label, on, {width, 0})) ui.commands.push_back(SetView{view, on});
-        tooltip(meaningOf(view, ui.state.run));
+        for (const Named<View>& entry : kViews)
+            if (entry.value == view) tooltip(entry.meaning);
     }
 }
 

@@ -12,6 +12,7 @@ namespace halfdisk {
 
 class CsvText {
  public:
+    CsvText() = default;  ///< its header is the first row
     explicit CsvText(std::initializer_list<std::string_view> header);
 
     CsvText& cell(std::string_view words);

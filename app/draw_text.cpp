@@ -34,7 +34,7 @@ ImVec2 drawText(const Ui& ui, ImVec2 at, ImU32 color, std::string_view english, 
 
 std::string shown(double value) {
     if (value == 0.0) return "0";
-    return fmt::format("{:.4g}", value);
+    return local(fmt::format("{:.4g}", value));
 }
 
 void sameLineIfFits(std::string_view label, float width) {
@@ -56,7 +56,7 @@ bool isGray(const Rgb& value) {
 
 std::string shown(const Rgb& value) {
     if (isGray(value)) return shown(value.x);
-    return fmt::format("{:.3g}, {:.3g}, {:.3g}", value.x, value.y, value.z);
+    return local(fmt::format("{:.3g}, {:.3g}, {:.3g}", value.x, value.y, value.z));
 }
 
 std::string firstThatFits(std::initializer_list<std::string_view> words, float width, ImFont* font) {

@@ -46,10 +46,7 @@ bool drawnCurve(const Ui& ui, const Plot& plot) {
         plotLine(ui, plot, stroke, ui.palette.normal, 3 * ui.scale);
         stroke.clear();
     }
-    if (isDrawn(state)) {
-        plotKey(ui, plot, 2, ui.palette.normal, "expected");
-        return false;
-    }
+    if (isDrawn(state)) return false;
     if (state.drawn.empty())
         drawText(ui, {(plot.area.min.x + plot.area.max.x) / 2, (plot.area.min.y + plot.area.max.y) / 2},
                  ui.palette.inkSoft, "draw L(\u03b8) here", Align::middle);

@@ -24,6 +24,7 @@ void show(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     editing.selected = existing(state.scene->description, editing.selected);
     state.eyePixel.reset();
     state.pinnedPixel.reset();
+    state.pinnedSide = Side::first;
     state.editing.message.clear();
     ++state.questionId;
     state.playback = {};
@@ -84,6 +85,7 @@ void replaceScene(AppState& state, std::shared_ptr<const PreparedScene> scene) {
     editing.message = std::move(message);
     state.scene = std::move(scene);
     state.pinnedPixel.reset();
+    state.pinnedSide = Side::first;
 }
 
 void editScene(AppState& state, const EditScene& edit) {

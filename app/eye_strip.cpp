@@ -37,14 +37,18 @@ struct Row {
 /// One strip, or two below each other.
 std::vector<Row> rowsOf(const AppState& state) {
     const Maker first = state.makers.first.value_or(usualMaker(View::eye));
-    const Maker* second = state.makers.second ? &*state.makers.second : nullptr;
-    std::vector<Row> rows{{state.answer ? state.answer->pictures.eye.get() : nullptr,
-                           state.makers.first ? makerTitle(first, second) : "",
-                           second ? differenceOf(first, *second) : "", "eye strip"}};
-    if (second)
-        rows.push_back({state.answer ? state.answer->against.eye.get() : nullptr, makerTitle(*second, &first),
-                        differenceOf(*second, first), "eye strip B"});
-    return rows;
+    const LightPicture* picture = state.answer ? state.answer->pictures.eye.get() : nullptr;
+    if (!state.makers.second)
+        return {{picture, state.makers.first ? makerTitle(first, nullptr) : "", "", "eye strip"}};
+    const Maker& second = *state.makers.second;
+    const auto named = [](Side side, const std::string& words) {
+        return words.empty() ? "" : fmt::format("{}: {}", nameOf(kSides, side), words);
+    };
+    return {{picture, named(Side::first, makerTitle(first, &second)),
+             named(Side::first, differenceOf(first, second)), "eye strip"},
+            {state.answer ? state.answer->against.eye.get() : nullptr,
+             named(Side::second, makerTitle(second, &first)),
+             named(Side::second, differenceOf(second, first)), "eye strip B"}};
 }
 
 /// The exact strip is shown as well, where the scene has one.
@@ -66,7 +70,8 @@ Place stripPlace(const Ui& ui, ImVec2 origin, float width) {
     return {{origin.x, top}, {origin.x + width, top + kStripHeight * ui.scale}};
 }
 
-void drawColors(const Ui& ui, const std::vector<std::uint32_t>& colors, ImVec2 min, ImVec2 max) {
+/// `own`: the pinned pixel is of this strip; else it is only framed.
+void drawColors(const Ui& ui, const std::vector<std::uint32_t>& colors, ImVec2 min, ImVec2 max, bool own) {
     const Pen list = penOf(ui);
     const auto count = static_cast<float>(colors.size());
     const auto edge = [&](std::size_t pixel) {
@@ -82,13 +87,22 @@ void drawColors(const Ui& ui, const std::vector<std::uint32_t>& colors, ImVec2 m
         list.AddRect({left - ui.scale, min.y}, {right + ui.scale, max.y}, ui.palette.panel, 0.0f,
                      ImDrawFlags_None, 4 * ui.scale);
         list.AddRect({left, min.y}, {right, max.y}, ui.palette.point, 0.0f, ImDrawFlags_None, 2 * ui.scale);
-        list.AddTriangleFilled({middle - head, min.y - head}, {middle + head, min.y - head},
-                               {middle, min.y + head}, ui.palette.point);
+        if (own)
+            list.AddTriangleFilled({middle - head, min.y - head}, {middle + head, min.y - head},
+                                   {middle, min.y + head}, ui.palette.point);
     }
     if (!ui.state.eyePixel || *ui.state.eyePixel >= colors.size()) return;
     list.AddRect({edge(*ui.state.eyePixel) - 2 * ui.scale, min.y},
                  {edge(*ui.state.eyePixel + 1) + 2 * ui.scale, max.y}, ui.palette.accent, 0.0f,
                  ImDrawFlags_None, 2 * ui.scale);
+}
+
+Side sideOf(std::size_t row) {
+    return row == 0 ? Side::first : Side::second;
+}
+
+bool isPinned(const AppState& state, std::uint32_t pixel, std::size_t row) {
+    return state.pinnedPixel == pixel && state.pinnedSide == sideOf(row);
 }
 
 /// The pixel under the pointer, which tells its value.
@@ -104,7 +118,7 @@ std::optional<std::uint32_t> pointed(const Ui& ui, const LightPicture* picture, 
     const auto& exact = ui.state.answer->exactPictures[side].eye;
     if (exact && pixel < exact->size()) words += say("\nexactly {} W/(m rad)", shown((*exact)[pixel]));
     words += fmt::format(
-        "\n{}", tr(ui.state.pinnedPixel == pixel ? "click: back to P" : "click: every path of this pixel"));
+        "\n{}", tr(isPinned(ui.state, pixel, side) ? "click: back to P" : "click: every path of this pixel"));
     tooltip(words);
     return pixel;
 }
@@ -125,21 +139,23 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, std::size_t s
     const Place place = stripPlace(ui, origin, width);
     const std::optional<std::uint32_t> pixel = pointed(ui, picture, side, place);
     if (clicked && pixel)
-        ui.commands.push_back(PinPixel{pixel == ui.state.pinnedPixel ? std::nullopt : pixel});
+        ui.commands.push_back(
+            PinPixel{isPinned(ui.state, *pixel, side) ? std::nullopt : pixel, sideOf(side)});
 
     const std::string what = drawingTitle(ui.state, "eye");
-    const std::string words = row.maker.empty()
-                                  ? what
-                                  : firstThatFits({fmt::format("{}: {}", tr(what), row.maker), row.maker,
-                                                   row.difference.empty() ? row.maker : row.difference},
-                                                  width);
+    const std::string words =
+        row.maker.empty()
+            ? what
+            : firstThatFits({fmt::format("{}{} {}", tr(what), ui.state.makers.second ? "," : ":", row.maker),
+                             row.maker, row.difference.empty() ? row.maker : row.difference},
+                            width);
     std::string white;
     if (picture)
         white = picture->white > 0.0 ? say("white: \u2265 {} W/(m rad)", shown(picture->white)) : "all black";
     drawTitle(ui, origin, width, words, white);
     const Pen list = penOf(ui);
     if (picture) {
-        drawColors(ui, picture->colors, place.min, place.max);
+        drawColors(ui, picture->colors, place.min, place.max, sideOf(side) == ui.state.pinnedSide);
     } else {
         list.AddRectFilled(place.min, place.max, ui.palette.panel);
         drawText(ui,
@@ -147,7 +163,8 @@ std::optional<std::uint32_t> drawRow(const Ui& ui, const Row& row, std::size_t s
                  ui.palette.inkSoft, whyEmpty(ui.state, row.picture), Align::middle);
     }
     if (withDifference && picture && !exact.difference[side].empty())
-        drawColors(ui, exact.difference[side], {place.min.x, place.max.y}, {place.max.x, origin.y + size.y});
+        drawColors(ui, exact.difference[side], {place.min.x, place.max.y}, {place.max.x, origin.y + size.y},
+                   false);
     list.AddLine({place.min.x, place.max.y}, place.max, ui.palette.wallBack);
     list.AddRect(place.min, {place.max.x, origin.y + size.y}, ui.palette.wallBack);
     return pixel;
@@ -162,7 +179,8 @@ void drawExactRow(const Ui& ui, const StripDifferences& exact, float width) {
         "is "
         "too bright, blue where it is too dark, paper where it is right.");
     const Place place = stripPlace(ui, origin, width);
-    const std::string range = exact.exact.empty() ? "" : say("\u00b1 {:g} % of white", 100.0 * exact.share);
+    const std::string range =
+        exact.exact.empty() || exact.share == 0.0 ? "" : say("\u00b1 {:g} % of white", 100.0 * exact.share);
     drawTitle(ui, origin, width,
               range.empty()
                   ? std::string(tr("exactly"))
@@ -179,7 +197,7 @@ void drawExactRow(const Ui& ui, const StripDifferences& exact, float width) {
                  lightIsComplete(ui.state) ? "no exact strip of this scene at this depth" : "being computed",
                  Align::middle);
     } else {
-        drawColors(ui, exact.exact, place.min, place.max);
+        drawColors(ui, exact.exact, place.min, place.max, false);
     }
     list.AddRect(place.min, place.max, ui.palette.wallBack);
 }

@@ -6,6 +6,7 @@
 
 #include "app/imgui_compat.h"
 #include "app/panels.h"
+#include "app/profile_difference.h"
 
 namespace halfdisk {
 namespace {
@@ -72,7 +73,9 @@ void stage(const Ui& ui) {
     }
     const ImVec2 all = ImGui::GetContentRegionAvail();
     if (!lower || (low && !state.canvasHidden)) return scenePanels(ui, all);
-    const float below = std::floor(std::min(lower->share * all.y, lower->most * ui.scale));
+    const bool two = lower->view == View::profile && plotsDifference(state);  // plots below each other
+    const float below = std::floor(two ? std::min(0.6f * all.y, 460 * ui.scale)
+                                       : std::min(lower->share * all.y, lower->most * ui.scale));
     if (!low) scenePanels(ui, {all.x, all.y - below - ImGui::GetStyle().ItemSpacing.y});
     lower->draw(ui, {all.x, low ? all.y : below});
 }
@@ -211,9 +214,19 @@ void askLight(Session& session) {
     AppState& state = session.state;
     if (session.asked == state.questionId) return;
     session.asked = state.questionId;
-    session.light.ask({state.questionId, state.scene, state.at, state.settings, state.shows(View::damage),
-                       state.show & kPictureSet, state.show & kInstrumentSet, state.makers, state.shownRun(),
-                       state.pinnedPixel, state.shows(View::tree), session.effort});
+    session.light.ask({.id = state.questionId,
+                       .scene = state.scene,
+                       .at = state.at,
+                       .settings = state.settings,
+                       .wantsDamage = state.shows(View::damage),
+                       .pictures = state.show & kPictureSet,
+                       .instruments = state.show & kInstrumentSet,
+                       .makers = state.makers,
+                       .run = state.shownRun(),
+                       .pixel = state.pinnedPixel,
+                       .pixelOf = state.pinnedSide,
+                       .wantsTree = state.shows(View::tree),
+                       .effort = session.effort});
 }
 
 void frame(Session& session, const Fonts& fonts, float uiScale, Sheet* sheet) {

@@ -190,7 +190,8 @@ void pixelKeys(const Ui& ui) {
     constexpr int kLast = static_cast<int>(kEyeStripPixels) - 1;
     const auto first = state.eyePixel.value_or(kEyeStripPixels / 2);
     const int pixel = state.pinnedPixel ? static_cast<int>(*state.pinnedPixel) + by : static_cast<int>(first);
-    ui.commands.push_back(PinPixel{static_cast<std::uint32_t>(std::clamp(pixel, 0, kLast))});
+    ui.commands.push_back(
+        PinPixel{static_cast<std::uint32_t>(std::clamp(pixel, 0, kLast)), state.pinnedSide});
 }
 
 void viewKeys(const Ui& ui) {

@@ -6,6 +6,7 @@
 
 #include "app/embedded_sources.h"
 #include "lessons/table_reader.h"
+#include "lessons/translation.h"
 #include "lessons/value_reader.h"
 
 namespace halfdisk {
@@ -45,11 +46,15 @@ Language parseLanguage(std::string_view text, const std::string& file, std::stri
     const TomlValue document = parseToml(text, file);
     TableReader table(file, std::get<TomlTable>(document.data), document.where, "a language");
     const TomlValue* name = table.required("name");
+    const TomlValue* decimalPoint = table.optional("decimalPoint");
     const TomlValue* words = table.required("words");
     const TomlValue* messages = table.optional("messages");
     table.finish();
-    Language language{
-        std::move(code), readText(file, "name", *name, kWordsRule), readWords(file, "words", *words), {}};
+    Language language;
+    language.code = std::move(code);
+    language.name = readText(file, "name", *name, kWordsRule);
+    language.words = readWords(file, "words", *words);
+    if (decimalPoint != nullptr) language.decimalPoint = readDecimalPoint(file, *decimalPoint);
     if (messages != nullptr) language.messages = readWords(file, "messages", *messages);
     return language;
 }
@@ -85,6 +90,22 @@ std::string_view tr(std::string_view english) {
     if (!language) return english;
     const auto found = language->words.find(english);
     return found == language->words.end() ? english : std::string_view(found->second);
+}
+
+std::string local(std::string number) {
+    const Language* language = spoken();
+    if (!language || language->decimalPoint == ".") return number;
+    const auto isDigit = [&](std::size_t at) {
+        return at < number.size() && number[at] >= '0' && number[at] <= '9';
+    };
+    std::string result;
+    for (std::size_t i = 0; i < number.size(); ++i) {
+        if (number[i] == '.' && isDigit(i + 1))
+            result += language->decimalPoint;
+        else
+            result += number[i] == ',' ? ';' : number[i];
+    }
+    return result;
 }
 
 }  // namespace halfdisk

@@ -42,6 +42,7 @@ struct LightQuestion {
     Makers makers{};                       ///< of the pictures
     Run run = Run::castRay;                ///< that is recorded
     std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, if its run is recorded and not that at P
+    Side pixelOf = Side::first;            ///< whose strip it is of
     bool wantsTree = false;                ///< also a cloud of its deeper rays, if they are many
     double effort = 1.0;                   ///< share of the usual work that is done after the first run, > 0
 };

@@ -244,7 +244,8 @@ void recordPathRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     if (asked.run == Run::castRay) return;
     const std::string_view id = nameOf(kRuns, asked.run);
     const EstimatorInfo& info = *findEstimator(id);
-    const std::optional<Maker>& maker = asked.makers.first;
+    const std::optional<Maker>& maker =
+        asked.pixel && asked.pixelOf == Side::second ? asked.makers.second : asked.makers.first;
     const bool sameMaker = maker && maker->estimator == id;
     const ParamValues params = sameMaker ? maker->params : initialValues(info);
     const auto strip = asked.pixel ? eyeStripOf(asked.scene->scene) : std::nullopt;

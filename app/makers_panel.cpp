@@ -55,7 +55,7 @@ bool editParam(const Ui& ui, const ParamInfo& param, double& value) {
 
 /// `3.4`, `120`.
 std::string percent(double share) {
-    return share < 0.995 ? fmt::format("{:.2g}", 100.0 * share) : fmt::format("{:.0f}", 100.0 * share);
+    return share < 0.995 ? local(fmt::format("{:.2g}", 100.0 * share)) : fmt::format("{:.0f}", 100.0 * share);
 }
 
 /// `1.2 million rays, noise 3.4 %, error 3.6 %`: what a picture cost, and how good it is.

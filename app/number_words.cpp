@@ -43,7 +43,7 @@ void addDamage(std::vector<NumberWords>& numbers, const LightAnswer& answer) {
     for (const Damage& damage : answer.damage)
         numbers.push_back(
             {say("what {} alone does to E", nameOf(kDefects, damage.defect)),
-             fmt::format("{:+.1f} % \u00b1 {:.2g} %", 100.0 * damage.relative, 100.0 * damage.error)});
+             local(fmt::format("{:+.1f} % \u00b1 {:.2g} %", 100.0 * damage.relative, 100.0 * damage.error))});
 }
 
 /// Of another run than castRay's.
@@ -52,7 +52,10 @@ std::vector<NumberWords> pathRunNumbers(const AppState& state, const LightAnswer
     std::vector<NumberWords> numbers;
     const auto pixel = pixelOf(answer);
     const std::string name =
-        pixel ? say("estimate of L, pixel {} of the eye's strip", *pixel) : std::string(tr("estimate of E"));
+        pixel && answer.asked.makers.second
+            ? say("estimate of L, pixel {} of strip {}", *pixel, nameOf(kSides, answer.asked.pixelOf))
+        : pixel ? say("estimate of L, pixel {} of the eye's strip", *pixel)
+                : std::string(tr("estimate of E"));
     if (state.shows(View::exact))
         add(numbers, pixel ? "exact E at P" : "exact E",
             answer.exact ? irradiance(*answer.exact) : std::string(tr("not known")));
@@ -85,8 +88,8 @@ std::vector<NumberWords> numberWords(const AppState& state) {
         add(numbers, "exact E", answer.exact ? irradiance(*answer.exact) : std::string(tr("not known")));
         if (counted && answer.exact && gray(*answer.exact) != 0.0)
             add(numbers, "off by",
-                fmt::format("{:+.1f} %",
-                            100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0)));
+                local(fmt::format("{:+.1f} %",
+                                  100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0))));
     }
     if (counted) {
         add(numbers, "L of the wall",

@@ -41,7 +41,7 @@ bool runIsFinished(const AppState& state) {
 
 /// Two digits; rounding's own noise is shown as 0.
 std::string shownError(double error, double value) {
-    return error <= 1e-12 * std::abs(value) ? "0" : fmt::format("{:.2g}", error);
+    return error <= 1e-12 * std::abs(value) ? "0" : local(fmt::format("{:.2g}", error));
 }
 
 /// Of one run: from its own samples where they are independent, else from the spread of many runs.
@@ -108,7 +108,8 @@ void pathRunRows(const Ui& ui, const LightAnswer& answer) {
     if (pixel)
         stripRow(ui, answer, *pixel);
     else if (ui.state.shows(View::exact) && answer.exact && gray(*answer.exact) != 0.0)
-        row(ui, "off by", fmt::format("{:+.1f} %", 100.0 * (gray(run.estimate) / gray(*answer.exact) - 1.0)),
+        row(ui, "off by",
+            local(fmt::format("{:+.1f} %", 100.0 * (gray(run.estimate) / gray(*answer.exact) - 1.0))),
             ui.palette.ink, "Estimate against exact value.");
     row(ui, "rays cast", withThousands(run.counts.rays), ui.palette.ink,
         "All rays of this one run, shadow rays included.");
@@ -132,7 +133,8 @@ void costRows(const Ui& ui, const LightAnswer& answer) {
     const Palette& palette = ui.palette;
     if (ui.state.shows(View::exact) && answer.exact && gray(*answer.exact) != 0.0)
         row(ui, "off by",
-            fmt::format("{:+.1f} %", 100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0)),
+            local(fmt::format("{:+.1f} %",
+                              100.0 * (gray(answer.estimate.total()) / gray(*answer.exact) - 1.0))),
             palette.ink, "Estimate against exact value.");
     row(ui, "L of the wall", answer.radiance ? shown(*answer.radiance) : "depends on the view", palette.ink,
         "The radiance that P's wall sends out: its emission plus albedo / 2 times E, in W/(m rad). Of a wall "

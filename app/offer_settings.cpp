@@ -137,16 +137,21 @@ void offerPixels(Offer& offer) {
                 SortSamples{!state.largestFirst});
     if (!canPin(state, 0)) return;
     const auto pinned = state.pinnedPixel;
+    const Side side = state.pinnedSide;
     const bool hasEscape = !state.editing.on && state.banner.empty() && state.notice.empty() &&
                            !state.exportWished && !state.helpShown;
     offer.addIf(pinned.has_value(), "Back to P from the pixel", hasEscape ? "Escape" : "", PinPixel{});
     offer.addIf(pinned && *pinned > 0, "One pixel to the left", keyOf(KeyRow::pixel),
-                PinPixel{pinned.value_or(1) - 1});
+                PinPixel{pinned.value_or(1) - 1, side});
     offer.addIf(pinned && *pinned + 1 < kEyeStripPixels, "One pixel to the right", keyOf(KeyRow::pixel, 1),
-                PinPixel{pinned.value_or(0) + 1});
+                PinPixel{pinned.value_or(0) + 1, side});
+    const bool isSecond = side == Side::second;
+    offer.addIf(pinned && state.makers.second,
+                isSecond ? "The same pixel of strip A" : "The same pixel of strip B", {},
+                PinPixel{pinned, isSecond ? Side::first : Side::second});
     for (std::uint32_t pixel = 0; pixel < kEyeStripPixels; ++pixel)
         offer.addIf(pixel != pinned, say("Look into pixel {} of the eye's strip", pixel), {},
-                    PinPixel{pixel});
+                    PinPixel{pixel, side});
 }
 
 }  // namespace halfdisk

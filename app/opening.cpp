@@ -87,8 +87,9 @@ void keepLocked(const AppState& here, AppState& shared) {
 }
 
 /// Another scene has no such eye, and rules may hide the strip.
-void pinIfPossible(AppState& state, std::optional<std::uint32_t> pixel) {
+void pinIfPossible(AppState& state, std::optional<std::uint32_t> pixel, Side side) {
     state.pinnedPixel = pixel && canPin(state, *pixel) ? pixel : std::nullopt;
+    state.pinnedSide = state.pinnedPixel && state.makers.second ? side : Side::first;
 }
 
 }  // namespace
@@ -127,7 +128,9 @@ void enterStep(AppState& state, std::size_t step) {
     state.strategiesAlone = false;
     state.sampleRange.reset();
     state.largestFirst = false;
-    pinIfPossible(state, state.sceneOverride.empty() ? values.pixel : std::nullopt);
+    pinIfPossible(state, values.pixel, values.pixelOf);
+    if (values.pixel && !state.scene->scene.eye)
+        state.notice = tr("This step looks into a pixel of the eye's strip, but the scene has no eye.");
     state.split = 0.5f;
     askAnew(state);
     const bool stepping = entered.unlock == Control::step || entered.values.event > 0;
@@ -163,7 +166,7 @@ void showShared(AppState& state, const std::string& text) {
     state.run = shared.run;
     state.scale = shared.scale;
     state.strategiesAlone = shared.strategiesAlone;
-    pinIfPossible(state, shared.pinnedPixel);
+    pinIfPossible(state, shared.pinnedPixel, shared.pinnedSide);
     askAnew(state);
     state.playback = shared.playback;
     state.fitCamera = true;
@@ -258,7 +261,7 @@ void setRules(AppState& state, const ClassRules& rules, bool asTheStepBegins) {
     state.at = values.at;
     state.makers = values.makers;
     state.show = state.show - rules.hidden;
-    pinIfPossible(state, state.pinnedPixel);
+    pinIfPossible(state, state.pinnedPixel, state.pinnedSide);
 }
 
 AppState openScene(const std::filesystem::path& lessonsFolder, const std::filesystem::path& scene) {

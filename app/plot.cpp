@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "app/draw_text.h"
+#include "app/language.h"
 #include "app/pen.h"
 
 namespace halfdisk {
@@ -32,7 +33,7 @@ std::vector<Tick> linearTicks(const PlotAxis& axis, int about) {
     for (int i = 0; i < kMostTicks; ++i) {
         const double value = (first + i) * step;
         if (value > axis.to + 1e-9 * step) break;
-        ticks.push_back({value, value == 0.0 ? "0" : fmt::format("{:.6g}", value)});
+        ticks.push_back({value, value == 0.0 ? "0" : local(fmt::format("{:.6g}", value))});
     }
     return ticks;
 }
@@ -44,7 +45,7 @@ std::vector<Tick> logarithmicTicks(const PlotAxis& axis, int about) {
     std::vector<Tick> ticks;
     for (int power = low; power <= high; power += every) {
         const double value = std::pow(10.0, power);
-        ticks.push_back({value, fmt::format("{:g}", value)});
+        ticks.push_back({value, local(fmt::format("{:g}", value))});
     }
     return ticks;
 }
@@ -56,6 +57,49 @@ bool speaksOf(std::string_view plot, Topic topic) {
     if (plot == "profile") return topic == Topic::irradiance;
     return topic == Topic::error && (plot == "error" || plot == "histogram");
 }
+
+/// Right aligned, in as many rows as they need, from `top` on; the first row leaves room on its left.
+class KeyRows {
+ public:
+    KeyRows(const Ui& ui, const std::vector<PlotKey>& keys, float width, float leftOfFirst)
+        : ui_(ui), gap_(4 * ui.scale), stroke_(16 * ui.scale) {
+        for (const PlotKey& key : keys) {
+            const std::string words = firstThatFits({key.name}, width - stroke_ - gap_);
+            const float needed = textSize(words).x + stroke_ + gap_;
+            const auto between = [&] { return rows_.back().keys.empty() ? 0.0f : 3 * gap_; };
+            const float room = width - (rows_.size() == 1 ? leftOfFirst : 0.0f);
+            if (rows_.back().width + between() + needed > room) rows_.emplace_back();
+            Row& row = rows_.back();
+            row.width += between() + needed;
+            row.keys.push_back({key.color, words});
+        }
+    }
+    /// Below the first one, which stands beside other words.
+    std::size_t further() const { return rows_.size() - 1; }
+
+    void draw(float right, float top) const {
+        const Pen list = penOf(ui_);
+        const float line = ImGui::GetFontSize();
+        for (const Row& row : rows_) {
+            float x = right - row.width;
+            for (const PlotKey& key : row.keys) {
+                list.AddLine({x, top + line / 2}, {x + stroke_, top + line / 2}, key.color, 3 * ui_.scale);
+                x += stroke_ + gap_;
+                x += drawText(ui_, {x, top}, ui_.palette.ink, key.name).x + 3 * gap_;
+            }
+            top += line;
+        }
+    }
+
+ private:
+    struct Row {
+        std::vector<PlotKey> keys;
+        float width = 0.0f;
+    };
+    const Ui& ui_;
+    float gap_, stroke_;
+    std::vector<Row> rows_{1};
+};
 
 }  // namespace
 
@@ -80,7 +124,7 @@ bool Plot::hovered() const {
 }
 
 Plot beginPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 size, const PlotAxis& x,
-               const PlotAxis& y) {
+               const PlotAxis& y, const std::vector<PlotKey>& keys) {
     const Palette& palette = ui.palette;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     ImGui::Dummy(size);
@@ -92,8 +136,9 @@ Plot beginPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 
     plot.x = x;
     plot.y = y;
     const float titleHeight = drawText(ui, origin, palette.ink, title, Align::left, ui.fonts.strong).y;
-    const float top = origin.y + titleHeight + line + 2 * gap,
-                bottom = origin.y + size.y - 2.4f * line - 2 * gap;
+    const KeyRows rowsOfKeys(ui, keys, size.x - 3 * gap, textSize(y.label).x + 4 * gap);
+    const float top = origin.y + titleHeight + line * static_cast<float>(1 + rowsOfKeys.further()) + 2 * gap,
+                bottom = origin.y + size.y - (x.label.empty() ? 1.2f : 2.4f) * line - 2 * gap;
     const int rows = std::max(2, static_cast<int>((bottom - top) / (2.2f * line)));
     const std::vector<Tick> yTicks = ticksOf(y, rows);
     float widest = 0.0f;
@@ -101,6 +146,7 @@ Plot beginPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 
     plot.area = {{origin.x + widest + 3 * gap, top}, {origin.x + size.x - 3 * gap, bottom}};
 
     drawText(ui, {origin.x, origin.y + titleHeight + gap / 2}, palette.inkSoft, y.label);
+    rowsOfKeys.draw(plot.area.max.x, origin.y + titleHeight + gap / 2);
     list.AddRectFilled(plot.area.min, plot.area.max, palette.panel);
     for (const Tick& tick : yTicks) {
         const ImVec2 p = plot.at(x.from, tick.value);
@@ -131,19 +177,6 @@ void plotLine(const Ui& ui, const Plot& plot, const std::vector<ImVec2>& points,
     list.PushClipRect(plot.area.min, plot.area.max, true);
     addPolyline(list, points, color, false, thickness);
     list.PopClipRect();
-}
-
-void plotKey(const Ui& ui, const Plot& plot, int row, ImU32 color, const char* name) {
-    const float line = ImGui::GetFontSize(), gap = 4 * ui.scale, stroke = 16 * ui.scale;
-    const std::string words = firstThatFits({name}, plot.area.width() - stroke - 5 * gap);
-    const ImVec2 size = textSize(words);
-    const ImVec2 at{plot.area.max.x - size.x - 2 * gap,
-                    plot.area.min.y + gap + static_cast<float>(row) * line};
-    const Pen list = penOf(ui);
-    list.AddRectFilled({at.x - stroke - 2 * gap, at.y}, {at.x + size.x + gap, at.y + line},
-                       withOpacity(ui.palette.panel, 0.85f));
-    list.AddLine({at.x - stroke - gap, at.y + line / 2}, {at.x - gap, at.y + line / 2}, color, 3 * ui.scale);
-    drawText(ui, at, ui.palette.ink, words);
 }
 
 }  // namespace halfdisk

@@ -33,16 +33,19 @@ struct Plot {
     bool hovered() const;
 };
 
-/// Reserves `size` in the current window and draws everything but the curves.
+/// Which curve is which: a stroke in its colour, and its name.
+struct PlotKey {
+    ImU32 color;
+    std::string name;
+};
+
+/// Reserves `size` in the current window and draws everything but the curves. The keys stand above the frame,
+/// so that they cover none of them.
 Plot beginPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 size, const PlotAxis& x,
-               const PlotAxis& y);
+               const PlotAxis& y, const std::vector<PlotKey>& keys = {});
 
 /// A line of `points` (pixels) clipped to the plot.
 void plotLine(const Ui& ui, const Plot& plot, const std::vector<ImVec2>& points, ImU32 color,
               float thickness);
-
-/// One entry of a key in the plot's upper right corner: a stroke in the colour and its name. `row` counts
-/// from 0.
-void plotKey(const Ui& ui, const Plot& plot, int row, ImU32 color, const char* words);
 
 }  // namespace halfdisk

@@ -1,11 +1,14 @@
 #include "app/plot_tables.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "app/csv_text.h"
 #include "app/goal_check.h"
 #include "app/histogram.h"
+#include "app/profile_difference.h"
 #include "app/render_result.h"
 #include "app/shown_pictures.h"
 
@@ -102,6 +105,24 @@ std::string profileTable(const AppState& state) {
     return table.text();
 }
 
+std::string differenceTable(const AppState& state) {
+    CsvText table{"maker", "place (m)", "difference (% of the exact mean)",
+                  "errorOfIt (% of the exact mean)"};
+    if (!plotsDifference(state)) return table.text();
+    const auto differences = profileDifferences(state);
+    for (const ShownPicture& shown : shownPictures(state, View::profile)) {
+        const ProfileDifference& one = differences[shown.second ? 1 : 0];
+        const PixelPlaces places(shown.picture->sensor, state.answer->asked.scene->index);
+        for (std::uint32_t bin = 0; bin < one.percent.size(); ++bin)
+            table.cell(std::string_view(shown.maker))
+                .cell(places.at(bin)[0])
+                .cell(one.percent[bin])
+                .cell(one.error[bin])
+                .endRow();
+    }
+    return table.text();
+}
+
 std::string eyeTable(const AppState& state) {
     CsvText table{"maker",          "angle (degrees)",    "LR (W/(m rad))",     "LG (W/(m rad))",
                   "LB (W/(m rad))", "errorR (W/(m rad))", "errorG (W/(m rad))", "errorB (W/(m rad))"};
@@ -117,13 +138,18 @@ std::string fieldTable(const AppState& state) {
 }
 
 std::string strategiesTable(const AppState& state) {
-    CsvText table{"s",          "t",           "place (m or degrees)",
-                  "share (%)",  "R",           "G",
-                  "B",          "errorR",      "errorG",
-                  "errorB",     "aloneR",      "aloneG",
-                  "aloneB",     "errorAloneR", "errorAloneG",
-                  "errorAloneB"};
     const StrategyGrid* grid = state.answer ? state.answer->strategies.get() : nullptr;
+    const bool ofEye = grid ? grid->ofEye() : state.shows(View::eye);
+    const char* const unit = ofEye ? "W/(m rad)" : "W/m";
+    CsvText table;
+    for (const char* const name : {"s", "t", ofEye ? "place (degrees)" : "place (m)", "share (%)"})
+        table.cell(std::string_view(name));
+    for (const char* const kind : {"", "error", "alone", "errorAlone"})
+        for (const char channel : {'R', 'G', 'B'}) {
+            const std::string name = fmt::format("{}{} ({})", kind, channel, unit);
+            table.cell(std::string_view(name));
+        }
+    table.endRow();
     if (!grid || grid->film.whole.passes == 0) return table.text();
     const PixelPlaces places(grid->sensor, state.answer->asked.scene->index);
     const auto numbers = [&](const Statistics& weighted, const Statistics& alone) {

@@ -17,6 +17,8 @@ std::string errorTable(const AppState& state);
 std::string histogramTable(const AppState& state);
 /// Mean and, where it is known, standard error of every pixel; with two makers the second's rows follow.
 std::string profileTable(const AppState& state);
+/// Of each maker's profile from the exact one; no rows unless that is shown.
+std::string differenceTable(const AppState& state);
 std::string eyeTable(const AppState& state);
 std::string fieldTable(const AppState& state);
 /// Of each strategy (s, t) its mean over all pixels, where no place is named, then every pixel.
@@ -28,11 +30,12 @@ struct PlotTable {
     std::string (*table)(const AppState& state);
 };
 
-inline constexpr std::array<PlotTable, 7> kPlotTables{{
+inline constexpr std::array<PlotTable, 8> kPlotTables{{
     {"integrand", View::integrand, integrandTable},
     {"error", View::error, errorTable},
     {"histogram", View::histogram, histogramTable},
     {"profile", View::profile, profileTable},
+    {"difference", View::difference, differenceTable},
     {"eye", View::eye, eyeTable},
     {"field", View::field, fieldTable},
     {"strategies", View::strategies, strategiesTable},

@@ -12,6 +12,7 @@
 #include "app/histogram.h"
 #include "app/language.h"
 #include "app/message_words.h"
+#include "app/profile_difference.h"
 #include "app/render_sensor.h"
 #include "app/scene_words.h"
 #include "app/shown_pictures.h"
@@ -37,7 +38,7 @@ std::vector<double> partMeans(const std::vector<double>& values, std::size_t par
 std::string listed(const std::vector<double>& values) {
     std::string words;
     for (const double value : values) words += fmt::format("{}{:.3g}", words.empty() ? "" : ", ", value);
-    return words;
+    return local(words);
 }
 
 std::vector<double> graysOf(const LightPicture& picture) {
@@ -164,6 +165,21 @@ std::string profileWords(const AppState& state) {
                     });
 }
 
+std::string differenceWords(const AppState& state) {
+    std::string words;
+    const auto differences = profileDifferences(state);
+    for (const ShownPicture& one : shownPictures(state, View::profile)) {
+        const std::vector<double>& percent = differences[one.second ? 1 : 0].percent;
+        if (percent.empty()) continue;
+        const auto [least, most] = std::minmax_element(percent.begin(), percent.end());
+        words += say(
+            "{}{}: from {:+.2g} % to {:+.2g} % of the exact mean.\nMean of eight equal parts along the wall: "
+            "{}.",
+            words.empty() ? "" : "\n", one.maker, *least, *most, listed(partMeans(percent, kParts)));
+    }
+    return words.empty() ? std::string(tr("The exact one is not known.")) : words;
+}
+
 std::string eyeStripWords(const AppState& state) {
     if (!state.scene->scene.eye) return std::string(tr("This scene has no eye."));
     return rowWords(state, View::eye, "W/(m rad)", tr("from left to right"),
@@ -233,6 +249,7 @@ std::string drawingWords(const AppState& state, std::string_view name) {
     if (name == "error") return errorWords(state);
     if (name == "histogram") return histogramWords(state);
     if (name == "profile") return profileWords(state);
+    if (name == "difference") return differenceWords(state);
     if (name == "eye") return eyeStripWords(state);
     if (name == "field") return fieldWords(state);
     if (name == "strategies") return strategiesWords(state);
@@ -245,6 +262,7 @@ std::string drawingTitle(const AppState& state, std::string_view name) {
     if (name == "histogram") return std::string(tr("What single samples bring"));
     if (name == "profile")
         return say("Light along \"{}\"", state.scene->scene.segmentNames[state.at.segment]);
+    if (name == "difference") return std::string(tr("How far that is from the exact light"));
     if (name == "eye") return std::string(tr("What the eye sees"));
     if (name == "field") return std::string(tr("The field of light"));
     if (name == "strategies") return std::string(tr("All strategies (s, t)"));

@@ -6,6 +6,7 @@
 
 #include "app/draw_text.h"
 #include "app/drawn_curve.h"
+#include "app/goal_check.h"
 #include "app/histogram.h"
 #include "app/language.h"
 #include "app/panels.h"
@@ -59,9 +60,12 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
     double top = 0.0;
     for (const IntegrandPoint& p : answer.integrand) top = std::max(top, gray(p.radiance));
     if (top <= 0.0) top = 1.0;
+    std::vector<PlotKey> keys{{ui.palette.exact, "L(\u03b8)"}, {ui.palette.point, "L(\u03b8) cos\u03b8"}};
+    if (asksForCurve(state)) keys.push_back({ui.palette.normal, "expected"});
+    if (asksForCurve(state) && !isDrawn(state)) keys.clear();
     const Plot plot = beginPlot(ui, "integrand", title, size,
                                 {-90.0, 90.0, false, "\u03b8 from the normal (degrees)", 30.0},
-                                {0.0, 1.5 * top, false, "W/(m rad)", 0.0});
+                                {0.0, 1.5 * top, false, "W/(m rad)", 0.0}, keys);
 
     if (drawnCurve(ui, plot)) return;
     std::vector<ImVec2> radiance, weighted;
@@ -80,8 +84,6 @@ void integrandPlot(const Ui& ui, ImVec2 size) {
             list.AddLine({x, plot.area.max.y}, {x, plot.area.max.y - 8 * ui.scale}, ui.palette.sample,
                          2 * ui.scale);
         });
-    plotKey(ui, plot, 0, ui.palette.exact, "L(\u03b8)");
-    plotKey(ui, plot, 1, ui.palette.point, "L(\u03b8) cos\u03b8");
     if (plot.hovered()) {
         const double angle = plot.xAt(ImGui::GetIO().MousePos.x);
         const auto index = static_cast<std::size_t>(std::clamp((90.0 - angle) / 180.0, 0.0, 0.999999) *
@@ -111,7 +113,8 @@ void errorPlot(const Ui& ui, ImVec2 size) {
     const Plot plot =
         beginPlot(ui, "error", title, size, {0.8, 1.25 * mostN, true, "N, samples per bounce", 0.0},
                   {std::pow(10.0, std::floor(std::log10(low * 0.7))),
-                   std::pow(10.0, std::ceil(std::log10(high * 1.2))), true, "rms error of E, W/m", 0.0});
+                   std::pow(10.0, std::ceil(std::log10(high * 1.2))), true, "rms error of E, W/m", 0.0},
+                  {{ui.palette.estimate, "48 runs each"}, {ui.palette.inkSoft, "1/\u221aN"}});
     const Pen list = penOf(ui);
     // Independent samples lie along it: in the middle of the dots, for the first ones may have met no lamp at
     // all. Stratified ones fall below the line on which they begin.
@@ -137,8 +140,6 @@ void errorPlot(const Ui& ui, ImVec2 size) {
         list.AddLine({x, plot.area.min.y}, {x, plot.area.max.y}, withOpacity(ui.palette.accent, 0.5f),
                      1.5f * ui.scale);
     }
-    plotKey(ui, plot, 0, ui.palette.estimate, "48 runs each");
-    plotKey(ui, plot, 1, ui.palette.inkSoft, "1/\u221aN");
     if (plot.hovered()) {
         const double at = plot.xAt(ImGui::GetIO().MousePos.x);
         const auto nearest =
@@ -162,7 +163,8 @@ void histogramPlot(const Ui& ui, ImVec2 size) {
     const double tallest = *std::max_element(histogram.counts.begin(), histogram.counts.end()) / counted;
     const Plot plot =
         beginPlot(ui, "histogram", title, size, {low, high, false, "contribution to E, W/m", 0.0},
-                  {0.0, std::min(1.0, 1.15 * tallest) * 100.0, false, "% of samples", 0.0});
+                  {0.0, std::min(1.0, 1.15 * tallest) * 100.0, false, "% of samples", 0.0},
+                  {{ui.palette.estimate, "their mean"}, {ui.palette.sample, "this run"}});
     const Pen list = penOf(ui);
     for (std::size_t i = 0; i < Histogram::kBins; ++i) {
         const ImVec2 a = plot.at(histogram.edge(i), 0.0);
@@ -183,8 +185,6 @@ void histogramPlot(const Ui& ui, ImVec2 size) {
         if (ImGui::IsMouseClicked(0))
             ui.commands.push_back(FilterSamples{std::pair(histogram.edge(bin), histogram.edge(bin + 1))});
     }
-    plotKey(ui, plot, 0, ui.palette.estimate, "their mean");
-    plotKey(ui, plot, 1, ui.palette.sample, "this run");
 }
 
 }  // namespace halfdisk

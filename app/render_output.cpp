@@ -41,7 +41,8 @@ fs::path targetOf(const fs::path& path) {
     return target.empty() ? path : target;
 }
 
-/// Making a file is the only sure test: permissions do not tell of read-only disks.
+}  // namespace
+
 void refuseUnwritable(const fs::path& path) {
     std::error_code error;
     const fs::path target = targetOf(path);
@@ -57,8 +58,6 @@ void refuseUnwritable(const fs::path& path) {
     close(file);
     unlink(trial.c_str());
 }
-
-}  // namespace
 
 void refuseOutputs(const std::vector<fs::path>& outputs) {
     for (std::size_t i = 0; i < outputs.size(); ++i) {

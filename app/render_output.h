@@ -33,6 +33,10 @@ inline constexpr std::array<OutputFormat, 4> kOutputFormats{{
 /// be made.
 void refuseOutputs(const std::vector<std::filesystem::path>& outputs);
 
+/// Throws InputError if the path is a folder, or if no file can be made beside it. Making one is the only
+/// sure test: permissions do not tell of read-only disks.
+void refuseUnwritable(const std::filesystem::path& path);
+
 /// Each written whole or not at all. Throws std::runtime_error naming the file.
 void writeOutputs(const std::vector<std::filesystem::path>& outputs, const RenderResult& result);
 

@@ -81,6 +81,7 @@ Image pictureOf(AppState state, HeadlessHost& host) {
 
 int runScreenshot(const ScreenshotRequest& request) {
     AppState state = openRequested(request.opening);
+    refuseUnwritable(request.output);
     const auto scale = static_cast<float>(request.scale);
     state.uiScale = scale;
     HeadlessHost host(request.size.width, request.size.height, scale);
@@ -113,11 +114,7 @@ int runExport(const ExportRequest& request) {
 }
 
 int runTour(const TourRequest& request) {
-    std::error_code failed;
-    std::filesystem::create_directories(request.outputFolder, failed);
-    if (failed)
-        throw std::runtime_error(fmt::format("{}: the folder cannot be made: {}",
-                                             request.outputFolder.string(), failed.message()));
+    makeFolder(request.outputFolder);
     const PictureSize size;
     bool broken = false;
     for (const LessonEntry& entry : listLessons(request.lessonsFolder)) {

@@ -18,7 +18,7 @@ std::string wallName(const AppState& state, std::uint32_t segment) {
 std::string place(Vec2 v) {
     // So that nothing is -0.000.
     const auto rounded = [](double x) { return std::round(1e3 * x) / 1e3 + 0.0; };
-    return fmt::format("({:.3f}, {:.3f})", rounded(v.x), rounded(v.y));
+    return local(fmt::format("({:.3f}, {:.3f})", rounded(v.x), rounded(v.y)));
 }
 
 /// `throughput 0.8` or `power 0.05 W`.

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/draw_text.h"
 #include "app/language.h"
+#include "app/picture_stages.h"
+#include "app/shown_pictures.h"
 
 namespace halfdisk {
 namespace {
@@ -57,7 +60,10 @@ Rgb sampleValue(const LightAnswer& answer, const SampleRow& row) {
     return pixelOf(answer) ? row.adds * static_cast<double>(answer.pathRun->divisor) : row.adds;
 }
 
-std::string sampleNumber(const LightAnswer& answer, const SampleRow& row) {
+std::string sampleNumber(const LightAnswer& answer, const SampleRow& row, double most) {
+    constexpr double kNothing = 1e-12;
+    const double adds = std::max({std::abs(row.adds.x), std::abs(row.adds.y), std::abs(row.adds.z)});
+    if (adds > 0.0 && adds < kNothing * most) return "\u2248 0";
     const Rgb value = sampleValue(answer, row);
     return pixelOf(answer) ? shown(gray(value)) : shown(value);
 }
@@ -81,6 +87,19 @@ bool isOfRow(const LightAnswer& answer, const SampleRow& row, std::size_t event)
     if (event >= events.size()) return false;
     const std::uint32_t path = events[event].path;
     return (answer.asked.run == Run::bidirectional ? path / 2 : path) == row.number;
+}
+
+std::string whosePixel(const LightAnswer& answer) {
+    const LightQuestion& asked = answer.asked;
+    if (!pixelOf(answer) || !asked.makers.second) return "";
+    const Maker first = asked.makers.first.value_or(usualMaker(View::eye));
+    const bool isSecond = asked.pixelOf == Side::second;
+    const Maker &own = isSecond ? *asked.makers.second : first,
+                &other = isSecond ? first : *asked.makers.second;
+    const std::string title = fmt::format("{}: {}", nameOf(kSides, asked.pixelOf), makerTitle(own, &other));
+    const std::string_view told = nameOf(kRuns, asked.run);
+    if (own.estimator == told) return title;
+    return say("{}; its paths by {}", title, tr(findEstimator(told)->title));
 }
 
 std::string pixelSumWords(const LightAnswer& answer) {

@@ -14,7 +14,8 @@ std::string sampleName(const LightAnswer& answer, const SampleRow& row);
 /// what the sample adds to the estimate.
 Rgb sampleValue(const LightAnswer& answer, const SampleRow& row);
 /// As it stands in the list; of a pixel's coloured light the mean of red, green and blue.
-std::string sampleNumber(const LightAnswer& answer, const SampleRow& row);
+/// `most` is what the brightest row adds: what rounding leaves beside it is "\u2248 0".
+std::string sampleNumber(const LightAnswer& answer, const SampleRow& row, double most);
 
 /// In full, for a reader who wants to know.
 std::string sampleMeaning(const LightAnswer& answer, const SampleRow& row);
@@ -23,6 +24,9 @@ std::string sampleMeaning(const LightAnswer& answer, const SampleRow& row);
 bool isOfRow(const LightAnswer& answer, const SampleRow& row, std::size_t event);
 
 // Of a pixel's run:
+/// Where two estimators are compared: which of them the pixel is of, or whose run is shown instead. Else
+/// empty.
+std::string whosePixel(const LightAnswer& answer);
 /// How the paths' sum makes the pixel's value, and in few words.
 std::string pixelSumWords(const LightAnswer& answer);
 std::string shortPixelSumWords(const LightAnswer& answer, bool unit);

@@ -52,6 +52,11 @@ void headOfPixel(const Ui& ui) {
     const LightAnswer& answer = *ui.state.answer;
     const float room =
         ImGui::GetContentRegionAvail().x - buttonWidth("Back to P") - buttonWidth("Largest first");
+    if (const std::string whose = whosePixel(answer); !whose.empty()) {
+        text(ui.widgets, firstThatFits({whose}, ImGui::GetContentRegionAvail().x));
+        tooltip(whose);
+        ImGui::AlignTextToFramePadding();
+    }
     std::string words = pixelSumWords(answer);
     for (const bool unit : {true, false})
         if (textSize(words).x > room) words = shortPixelSumWords(answer, unit);
@@ -80,7 +85,7 @@ void sampleLine(const Ui& ui, const SampleRow& row, double most, float nameWidth
     const LightAnswer& answer = *ui.state.answer;
     const ImVec2 origin = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, line = ImGui::GetFontSize() + 2 * ui.scale;
-    const std::string value = sampleNumber(answer, row);
+    const std::string value = sampleNumber(answer, row, most);
     if (ImGui::InvisibleButton(fmt::format("sample{}", row.event).c_str(), {width, line}))
         ui.commands.push_back(SetEvent{row.event});
     const bool hovered = ImGui::IsItemHovered();

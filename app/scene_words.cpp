@@ -98,7 +98,7 @@ std::string materialKind(const Material& material) {
 }  // namespace
 
 std::string placeWords(Vec2 place) {
-    return fmt::format("({:.6g}, {:.6g})", place.x + 0.0, place.y + 0.0);
+    return local(fmt::format("({:.6g}, {:.6g})", place.x + 0.0, place.y + 0.0));
 }
 
 std::string colourWords(const Rgb& colour) {

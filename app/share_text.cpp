@@ -7,6 +7,7 @@
 #include "app/commands.h"
 #include "app/packed_text.h"
 #include "lessons/scene_file.h"
+#include "lessons/utf8.h"
 
 namespace halfdisk {
 namespace {
@@ -21,6 +22,19 @@ constexpr std::size_t kMostBytes = 16u << 20;  // of what a text holds: a scene 
         "the shared text is damaged or not from this program, expected all of what \"Copy state\" gave");
 }
 
+/// The text came whole, or it would not unpack: another version wrote it, or a hand.
+[[noreturn]] void failValue(std::string_view key, const Json& json, std::string_view expected) {
+    const std::string value = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    throw InputError(
+        fmt::format("the shared text: \"{}\" is {}, expected {}", key, excerpt(value), expected));
+}
+
+const Json& valueOf(const Json& json, const char* key, std::string_view expected) {
+    if (!json.contains(key))
+        throw InputError(fmt::format("the shared text: \"{}\" is missing, expected {}", key, expected));
+    return json[key];
+}
+
 Json jsonOf(const Maker& maker) {
     Json json{{"estimator", maker.estimator}, {"params", maker.params}};
     if (maker.depth) json["depth"] = *maker.depth;
@@ -29,17 +43,22 @@ Json jsonOf(const Maker& maker) {
 
 /// A whole number within what the window allows.
 std::uint64_t whole(const Json& json, const char* key, std::uint64_t least, std::uint64_t most) {
-    if (!json.contains(key) || !json[key].is_number_unsigned()) failDamaged();
-    const auto value = json[key].get<std::uint64_t>();
-    if (value < least || value > most) failDamaged();
+    const std::string expected = fmt::format("a whole number from {} to {}", least, most);
+    const Json& found = valueOf(json, key, expected);
+    if (!found.is_number_unsigned()) failValue(key, found, expected);
+    const auto value = found.get<std::uint64_t>();
+    if (value < least || value > most) failValue(key, found, expected);
     return value;
 }
 
 template <class Enum, std::size_t Count>
 Enum named(const Json& json, const char* key, const std::array<Named<Enum>, Count>& table) {
-    if (!json.contains(key) || !json[key].is_string()) failDamaged();
-    const auto value = valueOf(table, json[key].get<std::string>());
-    if (!value) failDamaged();
+    std::string names;
+    for (const Named<Enum>& one : table) names += fmt::format("{}{}", names.empty() ? "" : ", ", one.name);
+    const std::string expected = fmt::format("one of {}", names);
+    const Json& found = valueOf(json, key, expected);
+    const auto value = found.is_string() ? valueOf(table, found.get<std::string>()) : std::nullopt;
+    if (!value) failValue(key, found, expected);
     return *value;
 }
 
@@ -48,16 +67,22 @@ Maker makerOfJson(const Json& json) {
         !json.contains("params"))
         failDamaged();
     const EstimatorInfo* info = findEstimator(json["estimator"].get<std::string>());
-    if (!info || !json["params"].is_array() || json["params"].size() != info->params.size()) failDamaged();
+    if (!info) failValue("estimator", json["estimator"], "one of those that halfdisk estimators lists");
+    if (!json["params"].is_array() || json["params"].size() != info->params.size())
+        failValue("params", json["params"], fmt::format("{} numbers", info->params.size()));
     Maker maker = makerOf(info->id);
     for (std::size_t i = 0; i < maker.params.size(); ++i) {
         const ParamInfo& param = info->params[i];
-        if (!json["params"][i].is_number()) failDamaged();
-        const double value = json["params"][i].get<double>();
+        const Json& found = json["params"][i];
         const bool choice = !param.choices.empty();
+        const double least = choice ? 0.0 : param.least;
         const double most = choice ? static_cast<double>(param.choices.size()) - 1.0 : param.most;
-        if (!(value >= (choice ? 0.0 : param.least) && value <= most)) failDamaged();
-        if ((choice || param.whole) && value != std::floor(value)) failDamaged();
+        const double value = found.is_number() ? found.get<double>() : std::nan("");
+        const bool fits = value >= least && value <= most;
+        if (!fits || ((choice || param.whole) && value != std::floor(value)))
+            failValue(param.name, found,
+                      fmt::format("{} from {} to {}", choice || param.whole ? "a whole number" : "a number",
+                                  least, most));
         maker.params[i] = value;
     }
     if (json.contains("depth")) maker.depth = static_cast<std::uint32_t>(whole(json, "depth", 0, 64));
@@ -92,9 +117,10 @@ AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     readSettings(json, state.settings);
     state.at.segment =
         static_cast<std::uint32_t>(whole(json, "wall", 0, state.scene->scene.segments.size() - 1));
-    if (!json.contains("t") || !json["t"].is_number()) failDamaged();
-    state.at.t = json["t"].get<double>();
-    if (!(state.at.t >= 0.0 && state.at.t <= 1.0)) failDamaged();
+    constexpr std::string_view kShare = "a number from 0 to 1";
+    const Json& t = valueOf(json, "t", kShare);
+    state.at.t = t.is_number() ? t.get<double>() : std::nan("");
+    if (!(state.at.t >= 0.0 && state.at.t <= 1.0)) failValue("t", t, kShare);
     state.show.bits = static_cast<std::uint32_t>(whole(json, "show", 0, (1u << kViews.size()) - 1u));
     state.makers = {};
     if (json.contains("first")) state.makers.first = makerOfJson(json["first"]);
@@ -104,10 +130,14 @@ AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     state.strategiesAlone = json.contains("alone") && json["alone"] == true;
     if (json.contains("run")) state.run = named(json, "run", kRuns);
     state.pinnedPixel.reset();
+    state.pinnedSide = Side::first;
     if (json.contains("pixel")) {
         const auto pixel = static_cast<std::uint32_t>(whole(json, "pixel", 0, kEyeStripPixels - 1));
-        if (!canPin(state, pixel)) failDamaged();
+        if (!canPin(state, pixel)) failValue("pixel", json["pixel"], "none: no strip of an eye is shown");
         state.pinnedPixel = pixel;
+        if (json.contains("pixelOf")) state.pinnedSide = named(json, "pixelOf", kSides);
+        if (state.pinnedSide == Side::second && !state.makers.second)
+            failValue("pixelOf", json["pixelOf"], "A: nothing is compared with it");
     }
     state.playback.stepping = json.contains("event");
     state.playback.event = state.playback.stepping ? whole(json, "event", 0, UINT32_MAX) : 0;
@@ -146,6 +176,7 @@ std::string shareText(const AppState& state) {
     if (state.strategiesAlone) json["alone"] = true;
     if (state.run != Run::castRay) json["run"] = std::string(nameOf(kRuns, state.run));
     if (state.pinnedPixel) json["pixel"] = *state.pinnedPixel;
+    if (state.pinnedSide == Side::second) json["pixelOf"] = std::string(nameOf(kSides, state.pinnedSide));
     if (state.playback.stepping) json["event"] = state.playback.event;
     return std::string(kPrefix) + packedText(json.dump());
 }

@@ -13,6 +13,7 @@
 #include "app/number_words.h"
 #include "app/picture_stages.h"
 #include "app/plot_words.h"
+#include "app/profile_difference.h"
 #include "app/run_text.h"
 #include "app/sample_words.h"
 #include "app/scene_words.h"
@@ -202,11 +203,12 @@ void addPathRun(WordsPage& page, const AppState& state, const PathRun& run) {
     page.heading(pixel ? say("The recorded run of {}, for pixel {} of the eye's strip", name, *pixel)
                        : say("The recorded run of {}", name));
     if (!run.refusal.empty()) return page.paragraph(say("There is none: {}.", trMessage(run.refusal)));
-    page.paragraph(say("{} steps of {} paths; {} rays. It says {} = {} {}.", run.record.events.size(),
+    page.paragraph(say("Steps: {}, paths: {}, rays: {}. It says {} = {} {}.", run.record.events.size(),
                        run.record.paths, run.counts.rays, pixel ? "L" : "E", shown(run.estimate),
                        unitOf(answer)));
     if (run.record.truncated) page.paragraph(tr("Later paths were left out of the record."));
     addKinds(page, run.record.events, kPathEventKinds);
+    if (const std::string whose = whosePixel(answer); !whose.empty()) page.paragraph(whose);
     if (pixel) page.paragraph(pixelSumWords(answer));
     if (pixel) page.paragraph(pixelSumMeaning(answer));
     addPlayback(page, state);
@@ -248,10 +250,14 @@ void addDrawings(WordsPage& page, const AppState& state) {
         std::pair{View::profile, "profile"},      std::pair{View::integrand, "integrand"},
         std::pair{View::error, "error"},          std::pair{View::histogram, "histogram"},
         std::pair{View::strategies, "strategies"}};
-    for (const auto& [view, name] : kNames) {
-        if (!state.shows(view)) continue;
+    const auto add = [&](std::string_view name) {
         page.heading(drawingTitle(state, name));
         page.paragraph(drawingWords(state, name));
+    };
+    for (const auto& [view, name] : kNames) {
+        if (!state.shows(view)) continue;
+        add(name);
+        if (view == View::profile && plotsDifference(state)) add("difference");
     }
 }
 

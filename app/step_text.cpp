@@ -17,7 +17,7 @@ std::string wallName(const AppState& state, std::uint32_t segment) {
 }
 
 std::string vector(Vec2 v) {
-    return fmt::format("({:.3f}, {:.3f})", v.x, v.y);
+    return local(fmt::format("({:.3f}, {:.3f})", v.x, v.y));
 }
 
 void describeLight(const AppState& state, const Event& event, StepText& text) {

@@ -90,8 +90,9 @@ std::string tooltipOf(const AppState& state, const StrategyGrid& grid, std::size
     const char* unit = unitOf(grid);
     const auto line = [&](std::string_view what, bool alone) {
         const Statistics mean = grid.means(alone)[place];
-        return fmt::format("\n{}: {} \u00b1 {:.1g} {}, {}", tr(what), shown(mean.mean),
-                           gray(mean.standardError()), unit, percent(grid.share(place, alone)));
+        return fmt::format("\n{}: {} \u00b1 {} {}, {}", tr(what), shown(mean.mean),
+                           local(fmt::format("{:.1g}", gray(mean.standardError()))), unit,
+                           percent(grid.share(place, alone)));
     };
     std::string words = fmt::format("s = {}, t = {}: {}", strategy.s, strategy.t, tr(howOf(strategy)));
     if (grid.film.aloneMeans.mean[place] == Rgb(0.0)) {

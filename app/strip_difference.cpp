@@ -65,8 +65,9 @@ StripDifferences stripDifferences(const AppState& state) {
     const double scale = white > 0.0 ? 1.0 / white : 1.0;
     for (const Rgb& L : *shown)
         found.exact.push_back(packed(srgbByte(scale * L.x), srgbByte(scale * L.y), srgbByte(scale * L.z)));
-    found.share = fullShare(both, 1.0 / scale);
-    found.full = found.share / scale;
+    const double share = fullShare(both, 1.0 / scale);
+    found.share = white > 0.0 ? share : 0.0;
+    found.full = share / scale;
     for (std::size_t side = 0; side < 2; ++side)
         for (const double difference : all[side])
             found.difference[side].push_back(differenceColor(difference / found.full));

@@ -15,7 +15,7 @@ struct StripDifferences {
                                        ///< none is wanted, or none known
     std::array<std::vector<std::uint32_t>, 2> difference;  ///< of the first and the second maker's pixels
     double full = 0.0;   ///< W/(m rad): a difference of so much has the full colour
-    double share = 0.0;  ///< the same, of what is shown as white
+    double share = 0.0;  ///< the same, of what is shown as white; 0: all is black
 };
 
 /// Too bright is orange, too dark is blue, and paper is right.

@@ -68,6 +68,8 @@ Json headOf(const AppState& state) {
     const auto pixel = answer ? pixelOf(*answer) : std::nullopt;
     if (pixel) head["exact"] = nullptr;  // that is E at P
     head["pixel"] = pixel ? Json(*pixel) : Json(nullptr);
+    const bool oneOfTwo = pixel && answer->asked.makers.second;
+    head["pixelOf"] = oneOfTwo ? Json(nameOf(kSides, answer->asked.pixelOf)) : Json(nullptr);
     head["unit"] = answer ? unitOf(*answer) : "W/m";
     head["shownEvents"] = state.playback.stepping ? Json(state.playback.event) : Json(nullptr);
     head["walls"] = prepared.scene.segmentNames;

@@ -109,6 +109,14 @@ inline constexpr std::array<Named<Run>, 5> kRuns{{
     {Run::bidirectional, "bidirectional", "a path from P and one from a light, joined in every way"},
 }};
 
+/// Of two makers that are compared.
+enum class Side : std::uint8_t { first, second };
+
+inline constexpr std::array<Named<Side>, 2> kSides{{
+    {Side::first, "A", "the first estimator"},
+    {Side::second, "B", "the one that it is compared with"},
+}};
+
 /// How the picture of the room is coloured.
 enum class FieldScale : std::uint8_t { light, logarithm, noise };
 
@@ -168,6 +176,7 @@ struct StepValues {
     FieldScale scale = FieldScale::light;
     std::uint32_t event = 0;               ///< position in the recorded run, 0 = its start
     std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, whose run is recorded instead of that at P
+    Side pixelOf = Side::first;            ///< whose strip the pixel is of, where two are compared
     bool operator==(const StepValues&) const = default;
 };
 

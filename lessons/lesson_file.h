@@ -25,6 +25,8 @@
 //   scale = "log"                  # of the field: one of kFieldScales
 //   run = "path"                   # whose run is recorded and stepped through, one of kRuns
 //   against = { estimator = "path", params = { ... }, depth = 0 }   # beside it, for comparison
+//   pixel = 100                    # of the eye's strip, whose run is recorded instead of that at P
+//   pixelOf = "B"                  # one of kSides: the strip of the estimator or of the one against it
 //   [step.goal]                    # what to reach by trying; the panel tells when it is
 //   says = "Put P where the caustic is brightest."
 //   reach = "profile"              # one of kGoalQuantities

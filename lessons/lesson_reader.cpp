@@ -93,7 +93,17 @@ class LessonReader {
         if (const TomlValue* run = table.optional("run")) values.run = readNamed(file_, "run", *run, kRuns);
         if (const TomlValue* event = table.optional("event"))
             values.event = static_cast<std::uint32_t>(readWhole(file_, "event", *event, {0, kMostEvents}));
-        if (const TomlValue* pixel = table.optional("pixel")) values.pixel = readPixel(*pixel);
+        pixelAt_.reset();
+        if (const TomlValue* pixel = table.optional("pixel")) {
+            values.pixel = readPixel(*pixel);
+            pixelAt_ = pixel->where;
+        }
+        if (const TomlValue* whose = table.optional("pixelOf")) {
+            values.pixelOf = readNamed(file_, "pixelOf", *whose, kSides);
+            if (values.pixelOf == Side::second && !values.makers.second)
+                failAt(file_, whose->where,
+                       "\"pixelOf\" is the second of two, expected \"against\" beside it");
+        }
         table.finish();
     }
 
@@ -138,9 +148,10 @@ class LessonReader {
         if (show != nullptr) readSet(file_, "show", *show, "an array of views", kViews, step.show);
         if (unlock != nullptr) step.unlock = readUnlock(*unlock);
         step.values = defaults_;
+        pixelAt_.reset();
         if (set != nullptr) readValues("[step.set]", "set", *set, step.values);
         if (step.values.pixel && !step.show.has(View::eye))
-            failAt(file_, set != nullptr ? set->where : value.where,
+            failAt(file_, pixelAt_.value_or(show != nullptr ? show->where : value.where),
                    "\"pixel\" is one of the eye's strip, expected \"eye\" in \"show\"");
         if (goal != nullptr) step.goal = readGoal(*goal);
         if (step.goal && step.goal->quantity == GoalQuantity::drawn && !step.show.has(View::integrand))
@@ -238,6 +249,7 @@ class LessonReader {
     Lesson lesson_;
     Scene scene_;
     StepValues defaults_;
+    std::optional<TextPosition> pixelAt_;  // in the table of values that was read last
 };
 
 }  // namespace

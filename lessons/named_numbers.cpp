@@ -96,13 +96,16 @@ class ReferenceReader {
                 result += "\\\\";
                 at += 2;
             } else if (c == '}') {
-                fail(at, fmt::format("{} closes nothing, expected \\{} for the character itself", "}", "}"));
+                fail(at,
+                     fmt::format(
+                         "{} closes nothing, expected \\{} for the character itself, or \\\\{} between \"",
+                         "}", "}", "}"));
             } else if (c == '{') {
                 const std::size_t end = text_.find_first_of("{}\n", at + 1);
                 if (end == std::string_view::npos || text_[end] != '}')
                     fail(at, fmt::format("{} is never closed, expected {} in the same line (write \\{} for "
-                                         "the character itself)",
-                                         "{", "}", "{"));
+                                         "the character itself, or \\\\{} between \")",
+                                         "{", "}", "{", "{"));
                 result += reference(at, text_.substr(at + 1, end - at - 1));
                 at = end + 1;
             } else {

@@ -104,7 +104,7 @@ class SpanReader {
             fail(at_,
                  fmt::format(
                      "{0} is never closed, expected another {0} in the same paragraph (write \\{1} for the "
-                     "character itself)",
+                     "character itself, or \\\\{1} between \")",
                      mark, mark[0]));
         const std::string_view inner = text_.substr(start, end - start);
         if (trimmed(inner).empty())
@@ -121,7 +121,8 @@ class SpanReader {
         const std::size_t end = findUnescaped(text_, "]", at_ + 1);
         if (end == std::string_view::npos)
             fail(at_,
-                 "[ is never closed, expected ] in the same paragraph (write \\[ for the character itself)");
+                 "[ is never closed, expected ] in the same paragraph (write \\[ for the character itself, "
+                 "or \\\\[ between \")");
         const std::string_view inner = text_.substr(at_ + 1, end - at_ - 1);
         const std::size_t bar = findUnescaped(inner, "|", 0);
         const bool hasWords = bar != std::string_view::npos;

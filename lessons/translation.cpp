@@ -30,7 +30,7 @@ class TranslationReader {
         table.finish();
         lesson_.title = readText(file_, "title", *title, kHeadingRule);
         lesson_.section = readText(file_, "section", *section, kHeadingRule);
-        if (decimalPoint != nullptr) text_.numbers.decimalPoint = readDecimalPoint(*decimalPoint);
+        if (decimalPoint != nullptr) text_.numbers.decimalPoint = readDecimalPoint(file_, *decimalPoint);
         readTerms(terms, document.where);
         const TomlArray& tables = readArray(file_, "step", *steps, "tables [[step]]");
         expectCount("[[step]]", tables.size(), lesson_.steps.size(), steps->where);
@@ -38,14 +38,6 @@ class TranslationReader {
     }
 
  private:
-    std::string readDecimalPoint(const TomlValue& value) const {
-        std::string point = readText(file_, "decimalPoint", value, {1, false, false});
-        if (point != "." && point != ",")
-            failAt(file_, value.where,
-                   fmt::format("\"decimalPoint\" is \"{}\", expected \".\" or \",\"", excerpt(point)));
-        return point;
-    }
-
     void expectCount(std::string_view what, std::size_t found, std::size_t expected,
                      TextPosition where) const {
         if (found != expected)
@@ -100,6 +92,14 @@ bool isThere(const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+std::string readDecimalPoint(const std::string& file, const TomlValue& value) {
+    std::string point = readText(file, "decimalPoint", value, {1, false, false});
+    if (point != "." && point != ",")
+        failAt(file, value.where,
+               fmt::format("\"decimalPoint\" is \"{}\", expected \".\" or \",\"", excerpt(point)));
+    return point;
+}
 
 void translateLesson(Lesson& lesson, const std::filesystem::path& file) {
     TranslationReader(lesson, file).read();

@@ -13,8 +13,12 @@
 #include <vector>
 
 #include "lessons/lesson.h"
+#include "lessons/toml_document.h"
 
 namespace halfdisk {
+
+/// "." or ",". Throws InputError.
+std::string readDecimalPoint(const std::string& file, const TomlValue& value);
 
 /// Replaces the words of `lesson` by those of the file. Throws InputError if the file's terms or steps are
 /// not the lesson's.

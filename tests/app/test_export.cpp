@@ -207,11 +207,43 @@ TEST_CASE("export: the tables hold the light's own numbers") {
         if (strategies[i][column(strategies, "place")].empty())
             shares += number(strategies[i][column(strategies, "share")]);
     CHECK(shares == doctest::Approx(100.0));  // depth 1: none is too long
+    for (const std::string& name : strategies[0])
+        CHECK((name == "s" || name == "t" || name.find(" (") != std::string::npos));
+    CHECK(strategies[0][4] == "R (W/(m rad))");
     const auto field = tableOf(files, "field.csv");
     const Field& grid = std::get<Field>(answer.pictures.field->sensor);
     CHECK(number(field[1][column(field, "x")]) > grid.min.x);
     CHECK(number(field[1][column(field, "y")]) < grid.max.y);
     CHECK(number(field[1][column(field, "y")]) > number(field.back()[column(field, "y")]));
+}
+
+TEST_CASE("export: differences from the exact profile are seen, told and written for both makers") {
+    AppState state = openLesson(courseLessons(), LessonRef{"trade", 1});
+    const auto& steps = state.lesson->steps;
+    const auto step = std::find_if(steps.begin(), steps.end(), [](const Step& one) {
+        return one.show.has(View::profile) && one.show.has(View::difference);
+    });
+    REQUIRE(step != steps.end());
+    apply(state, GoTo{"trade", static_cast<std::size_t>(step - steps.begin())});
+    Rig rig(std::move(state));
+    const auto files = exported(rig);
+    const auto table = tableOf(files, "difference.csv");
+    const LightAnswer& answer = *rig.state().answer;
+    const auto& exact = *answer.exactPictures[0].profile;
+    REQUIRE(table.size() == 2 * exact.size() + 1);
+    double mean = 0.0;
+    for (const Rgb& bin : exact) mean += bin.y / static_cast<double>(exact.size());
+    const PixelStatistics& bins = answer.pictures.profile->film.pixels;
+    for (const std::size_t i : {std::size_t{0}, exact.size() / 3, exact.size() - 1})
+        CHECK(number(table[i + 1][column(table, "difference")]) ==
+              doctest::Approx(100.0 * (bins[i].mean.y - exact[i].y) / mean).epsilon(1e-6));
+    const Rect above = rig.driver.get("Stage/profile").rect, below = rig.driver.get("Stage/difference").rect;
+    CHECK(below.top >= above.bottom);
+    CHECK(readXml(*fileOf(files, "difference.svg")).texts.size() > 8);
+    CHECK(stateText(rig.state()).find("of the exact mean") != std::string::npos);
+    rig.apply(SetView{View::difference, false});
+    rig.settle();
+    CHECK_FALSE(rig.session.widgets.find("Stage/difference"));
 }
 
 TEST_CASE("export: two makers stand below each other in a table, and one that refuses has no rows") {

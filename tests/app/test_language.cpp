@@ -6,11 +6,13 @@
 #include <iterator>
 #include <set>
 
+#include "app/draw_text.h"
 #include "app/key_help.h"
 #include "app/key_words.h"
 #include "app/language.h"
 #include "app/message_words.h"
 #include "app/opening.h"
+#include "app/plot_tables.h"
 #include "app/run_text.h"
 #include "app/state_text.h"
 #include "app/tree_json.h"
@@ -232,6 +234,25 @@ TEST_CASE("without a language all words are the source's") {
     CHECK(say("{} not there", 3) == "3 not there");
     speak(nullptr);
     CHECK(tr("Reset") == "Reset");
+}
+
+TEST_CASE("numbers that are shown have the language's point, and files have a point in all of them") {
+    AppState state = openLesson(courseLessons(), LessonRef{"trade", 5});
+    apply(state, SetLanguage{"de"});
+    Rig rig(std::move(state));
+    rig.settle();
+    CHECK(shown(0.5) == "0,5");
+    CHECK(shown(Rgb(0.5, 0.25, 2.0)) == "0,5; 0,25; 2");
+    CHECK(say("{:.2f} in {} of {}", 1.5, 3, "a.b") == "1,50 in 3 of a.b");
+    CHECK(stateText(rig.state()).find(" 0,") != std::string::npos);
+    for (const Widget& widget : rig.session.widgets.widgets)
+        CHECK(widget.name.find("0.6 %") == std::string::npos);
+    const std::string table = profileTable(rig.state());
+    CHECK(table.find("0.") != std::string::npos);
+    CHECK(table.find("\"0,") == std::string::npos);
+    rig.apply(SetLanguage{""});
+    rig.driver.frames(1);
+    CHECK(shown(0.5) == "0.5");
 }
 
 TEST_CASE("another language changes words, and nothing that the reader has done") {

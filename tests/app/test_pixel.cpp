@@ -263,6 +263,99 @@ TEST_CASE("the list can be sorted, the largest first") {
     CHECK(top(*most) == first);
 }
 
+TEST_CASE(
+    "where two are compared, a click pins the pixel of the strip that it meets, and the list says whose") {
+    AppState two = room();
+    apply(two, SetMakers{{makerOf("path"), makerOf("light")}});
+    Rig rig(std::move(two));
+    rig.settle();
+    clickPixel(rig, kPixel);
+    CHECK(rig.state().pinnedSide == Side::first);
+    CHECK(rig.state().answer->asked.run == Run::path);
+    const double ofA = gray(rig.state().answer->pathRun->estimate);
+    CHECK(whosePixel(*rig.state().answer).substr(0, 3) == "A: ");
+    CHECK(rig.session.widgets.find(fmt::format("Stage/{}", whosePixel(*rig.state().answer))));
+
+    const Rect strip = rig.driver.get("Stage/eye strip B").rect;
+    const float at = (kPixel + 0.5f) / static_cast<float>(kEyeStripPixels);
+    const auto clickB = [&] {
+        rig.driver.clickAt(strip.left + at * strip.width(), strip.bottom - 10);
+        rig.driver.frames(2);
+        rig.settle();
+    };
+    clickB();
+    const LightAnswer& answer = *rig.state().answer;
+    CHECK(rig.state().pinnedPixel == kPixel);
+    CHECK(rig.state().pinnedSide == Side::second);
+    CHECK(answer.asked.run == Run::light);
+    CHECK(gray(answer.pathRun->estimate) != ofA);
+    CHECK(listed(answer) / static_cast<double>(answer.pathRun->divisor) ==
+          doctest::Approx(gray(answer.pathRun->estimate)));
+    CHECK(whosePixel(answer).substr(0, 3) == "B: ");
+    CHECK(nlohmann::json::parse(treeJson(rig.state()))["pixelOf"] == "B");
+
+    const AppState opened = openShared(courseLessons(), shareText(rig.state()));
+    CHECK(opened.pinnedPixel == kPixel);
+    CHECK(opened.pinnedSide == Side::second);
+
+    rig.driver.pressKey(Key::period);  // along the same strip
+    CHECK(rig.state().pinnedSide == Side::second);
+    rig.driver.pressKey(Key::comma);
+    rig.apply(SetRun{Run::path});
+    CHECK(rig.state().shownRun() == Run::path);
+    CHECK(whosePixel(*rig.state().answer).substr(0, 3) == "B: ");
+    clickB();  // again: back to P
+    CHECK_FALSE(rig.state().pinnedPixel);
+    CHECK(rig.state().pinnedSide == Side::first);
+    clickB();
+    CHECK(rig.state().shownRun() == Run::light);  // another strip, its own run
+    rig.apply(SetMakers{{makerOf("path"), std::nullopt}});
+    CHECK(rig.state().pinnedPixel == kPixel);
+    CHECK(rig.state().pinnedSide == Side::first);
+}
+
+TEST_CASE("two settings of one estimator: the pixel's run is that of the strip that was clicked") {
+    AppState two = room();
+    Maker shallow = makerOf("path");
+    shallow.depth = 0;
+    apply(two, SetMakers{{makerOf("path"), shallow}});
+    Rig rig(std::move(two));
+    rig.apply(PinPixel{kPixel, Side::first});
+    rig.settle();
+    const std::size_t deep = rig.state().answer->pathRun->record.events.size();
+    rig.apply(PinPixel{kPixel, Side::second});
+    rig.settle();
+    CHECK(rig.state().answer->pathRun->record.events.size() < deep);
+}
+
+TEST_CASE("a step's pixel is pinned in another scene too, or its absence is told") {
+    const auto lessons = courseLessons();
+    Lesson lesson = openLesson(lessons, LessonRef{"wasted-rays", 1}).lesson.value();
+    const auto step = std::find_if(lesson.steps.begin(), lesson.steps.end(),
+                                   [](const Step& one) { return one.values.pixel.has_value(); });
+    REQUIRE(step != lesson.steps.end());
+    const LessonRef ref{"wasted-rays", static_cast<int>(step - lesson.steps.begin()) + 1};
+    const AppState seen = openLesson(lessons, ref, lessons / "scenes/mirror_room.toml");
+    CHECK(seen.pinnedPixel == step->values.pixel);
+    CHECK(seen.notice.empty());
+    const AppState unseen = openLesson(lessons, ref, lessons / "scenes/small_room.toml");
+    CHECK_FALSE(unseen.pinnedPixel);
+    CHECK(unseen.notice.find("no eye") != std::string::npos);
+}
+
+TEST_CASE("what rounding leaves beside a bright path is about nothing") {
+    Rig rig(room());
+    rig.apply(PinPixel{kPixel});
+    rig.settle();
+    SampleRow row = rig.state().answer->rows->front();
+    for (const auto& [adds, words] : {std::pair{1e-66, "\u2248 0"}, std::pair{0.0, "0"}}) {
+        row.adds = Rgb(adds);
+        CHECK(sampleNumber(*rig.state().answer, row, 1.0) == words);
+    }
+    row.adds = Rgb(1e-3);
+    CHECK(sampleNumber(*rig.state().answer, row, 1.0) != "\u2248 0");
+}
+
 TEST_CASE("keys move into the strip and along it, and the palette names every pixel") {
     Rig rig(room());
     rig.settle();

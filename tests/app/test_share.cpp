@@ -1,9 +1,13 @@
 // Does a copied text show another what one sees, to the bit, and does a damaged one do no harm?
 #include <doctest/doctest.h>
 
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "app/edit_commands.h"
+#include "app/packed_text.h"
 #include "app/picture.h"
 #include "app/share_text.h"
 #include "lessons/input_error.h"
@@ -139,6 +143,32 @@ TEST_CASE("a damaged text is refused, whatever the damage") {
         }
     }
     CHECK(taken < kTries / 10);
+}
+
+TEST_CASE("a number that is wrong in a whole text is told by its name, with what was expected") {
+    const std::string text = shareText(changedState());
+    constexpr std::string_view kPrefix = "halfdisk.";
+    const auto json = nlohmann::json::parse(*unpackedText(text.substr(kPrefix.size()), 1u << 20));
+    const auto told = [&](const char* key, const nlohmann::json& value) {
+        nlohmann::json changed = json;
+        changed[key] = value;
+        try {
+            openShared(testLessons(), std::string(kPrefix) + packedText(changed.dump()));
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    CHECK(told("samples", json["samples"]).empty());
+    CHECK(told("samples", 0) ==
+          fmt::format("the shared text: \"samples\" is 0, expected a whole number from 1 to {}",
+                      kMostLessonSamples));
+    CHECK(told("t", 1.5) == "the shared text: \"t\" is 1.5, expected a number from 0 to 1");
+    CHECK(told("sampler", "dice").find("\"sampler\" is \"dice\", expected one of uniform, ") !=
+          std::string::npos);
+    CHECK(told("depth", "deep").find("\"depth\" is \"deep\"") != std::string::npos);
+    CHECK(told("first", {{"estimator", "guess"}, {"params", nlohmann::json::array()}})
+              .find("\"estimator\" is \"guess\"") != std::string::npos);
 }
 
 TEST_CASE("a text that would unpack into more than a scene may take is refused") {

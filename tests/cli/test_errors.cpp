@@ -1,6 +1,7 @@
 // Does every mistake on the command line end with exit code 2 and one clear line?
 #include <doctest/doctest.h>
 
+#include <fstream>
 #include <string>
 
 #include "refusals.h"
@@ -11,6 +12,7 @@ using halfdisk_test::Outcome;
 using halfdisk_test::runProgram;
 using halfdisk_test::runProgramInto;
 using halfdisk_test::sceneFile;
+using halfdisk_test::TemporaryFolder;
 
 namespace {
 
@@ -111,6 +113,23 @@ TEST_CASE("refused: files, with the file's name first") {
     checkRefused({"scene", "write", unknownKey, "-o", "/dev/null"}, unknownKey + ":7:1: ");
     checkRefused({"scene", "check", "/nowhere/room.toml"}, "/nowhere/room.toml: ");
     checkRefused({"lessons", "--lessons", "/nowhere"}, "/nowhere: ");
+}
+
+TEST_CASE("a path that cannot be written is bad input, whichever command is told it") {
+    const TemporaryFolder folder;
+    const std::string aFile = folder / "file";
+    std::ofstream(aFile) << "no folder";
+    const std::string scene = std::string(HALFDISK_SHIPPED_SCENES) + "/small_room.toml";
+    for (const std::string& bad : {std::string("/proc/nope/x.png"), aFile + "/x.png"})
+        for (const std::vector<std::string>& command : {std::vector<std::string>{"screenshot", "gather"},
+                                                        {"export", "gather"},
+                                                        {"tour"},
+                                                        {"scene", "write", scene},
+                                                        {"eye", scene, "--samples", "1"}}) {
+            std::vector<std::string> arguments = command;
+            arguments.insert(arguments.end(), {"-o", bad});
+            checkRefused(arguments, "halfdisk: --output: '");
+        }
 }
 
 TEST_CASE("an output that cannot be written is a failure, not a crash") {

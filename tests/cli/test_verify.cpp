@@ -45,6 +45,22 @@ TEST_CASE("verify: a teacher's own claim, true and false") {
     CHECK(failed.out == "1 claim, 0 of them true\n");
 }
 
+TEST_CASE("verify: LESSON:STEP measures the claims of that step alone") {
+    const auto count = [](const std::string& lesson) {
+        const Outcome outcome = runProgram({"verify", lesson, "--json"});
+        REQUIRE(outcome.exitCode == 0);
+        return nlohmann::json::parse(outcome.out)["claims"];
+    };
+    const auto all = count("notation");
+    std::size_t ofSecond = 0;
+    for (const auto& claim : all) ofSecond += claim["step"] == 2;
+    const auto second = count("notation:2");
+    CHECK(second.size() == ofSecond);
+    CHECK(second.size() < all.size());
+    for (const auto& claim : second) CHECK(claim["step"] == 2);
+    CHECK(runProgram({"verify", "notation:99"}).exitCode == 2);
+}
+
 TEST_CASE("verify: the same on any number of threads, and as JSON") {
     const TemporaryFolder folder;
     const std::string file =

@@ -1,6 +1,7 @@
 // Is every fault of a lesson file told with its line, its column and what was expected?
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "error_cases.h"
@@ -146,6 +147,11 @@ TEST_CASE("a pixel is one of the strip that a scene's eye sees and the step show
     CHECK(refusal(seen + "pixel = 255").empty());
     CHECK(parseLesson(seen + "pixel = 255", "dir/01-x.toml", withEye).steps.front().values.pixel == 255u);
     CHECK(refusal(seen + "pixel = 256").find("\"pixel\" is 256, expected a whole number from 0 to 255") !=
+          std::string::npos);
+    // Where the pixel stands; of one from [defaults], the step's "show".
+    const std::string unseen = kHead + "[[step]]\ntitle = 'A'\nprose = 'B'\nshow = ['rays']\n[step.set]\n";
+    const auto lines = std::count(unseen.begin(), unseen.end(), '\n');
+    CHECK(refusal(unseen + "seed = 1\npixel = 3").find("01-x.toml:" + std::to_string(lines + 2) + ":") !=
           std::string::npos);
     CHECK(refusal(seen + "pixel = -1").find("\"pixel\" is -1") != std::string::npos);
     CHECK(refusal(seen + "pixel = 'left'").find("\"pixel\" is a string") != std::string::npos);

@@ -103,7 +103,7 @@ TEST_CASE("references that cannot be written out are told with their place") {
         check(withProse("^{missing:" + format + "}"), {"no format that is known", "{missing:2}"});
     check(withProse("^{missing"), {"never closed", "\\{"});
     check(withProse("^{missing {missing}"), {"never closed"});
-    check(withProse("a ^} b"), {"} closes nothing", "\\}"});
+    check(withProse("a ^} b"), {"} closes nothing", "\\}", "\\\\} between"});
     check(withProse("^{} b"), {"names no claim", "expected \"missing\""});
     check(kHead + "[[step]]\ntitle = 'A'\nprose = 'B ^{none}'\n", {"expected a [[step.claim]] with that"});
     check(withProse("x") + "[[step.claim]]\nmeasure = 'rays'\nequals = 1\nsays = 'a ^{missing:z}'\n",

@@ -1,5 +1,6 @@
 #include "app/panels.h"
 #include "app/plot.h"
+#include "app/plot_words.h"
 
 namespace halfdisk {
 

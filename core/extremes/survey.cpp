@@ -118,8 +118,9 @@ ExtremeCounts survey(const Scene& scene, const Placing& placing, const SurveyRay
             continue;
         }
         if (truth.segment == kNoSegment) continue;
-        const bool through = answer.segment == kNoSegment || (truth.front && !answer.front) ||
-                             answer.t / scale > 1.01L * truth.t + 1e-9L * size;
+        const bool beyond =
+            answer.segment != truth.segment && answer.t / scale > 1.01L * truth.t + 1e-9L * size;
+        const bool through = answer.segment == kNoSegment || (truth.front && !answer.front) || beyond;
         if (through) {
             ++counts.leaks;
             continue;

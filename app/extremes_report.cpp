@@ -14,13 +14,19 @@ std::string errorText(double error) {
     return std::isfinite(error) ? fmt::format("{:.1e}", error) : fmt::format("{}", error);
 }
 
-/// `12 + 3 + 0`, or nothing where no ray was asked.
+/// Nothing of a side that was not asked.
+std::string errorText(const ExtremeSide& side) {
+    return side.asked ? errorText(side.error) : std::string("-");
+}
+
+/// `12/3/0`, or nothing where no ray was asked.
 std::string faultsText(const ExtremeCounts& counts) {
     if (counts.rays == 0 && counts.faults() == 0) return "-";
     return fmt::format("{}/{}/{}", counts.leaks, counts.selfHits, counts.nonFinite);
 }
 
 Json sideJson(const ExtremeSide& side) {
+    if (!side.asked) return nullptr;
     return Json{{"error", jsonOf(side.error)},        {"rays", side.counts.rays},
                 {"leaks", side.counts.leaks},         {"selfHits", side.counts.selfHits},
                 {"nonFinite", side.counts.nonFinite}, {"place", jsonOf(side.counts.place)}};
@@ -51,15 +57,15 @@ std::string extremesText(const std::vector<ExtremeLine>& lines, std::size_t aske
     for (const ExtremeLine& line : lines) {
         const auto& [ours, naiveFloat, naiveDouble, words, fault] = line.outcome;
         text += fmt::format("{:<5} {:<22} {:>8} {:>8} | {:>13} {:>8} | {:>13} {:>8} | {:>13}\n",
-                            line.holds ? "ok" : "FAILS", line.cell->id, errorText(ours.error),
-                            errorText(line.cell->bound), faultsText(ours.counts), errorText(naiveFloat.error),
-                            faultsText(naiveFloat.counts), errorText(naiveDouble.error),
+                            line.holds ? "ok" : "FAILS", line.cell->id, errorText(ours),
+                            errorText(line.cell->bound), faultsText(ours.counts), errorText(naiveFloat),
+                            faultsText(naiveFloat.counts), errorText(naiveDouble),
                             faultsText(naiveDouble.counts));
         if (!words.empty()) text += fmt::format("{:<6}{}\n", "", words);
         if (!fault.empty()) text += fmt::format("{:<6}FAULT: {}\n", "", fault);
         held += line.holds ? 1 : 0;
-        single += holds(*line.cell, naiveFloat) ? 1 : 0;
-        twice += holds(*line.cell, naiveDouble) ? 1 : 0;
+        single += naiveFloat.asked && holds(*line.cell, naiveFloat) ? 1 : 0;
+        twice += naiveDouble.asked && holds(*line.cell, naiveDouble) ? 1 : 0;
         seconds += line.seconds;
     }
     text += fmt::format("{} of {} hold; of the naive program {} in float, {} in double; {:.1f} s\n", held,

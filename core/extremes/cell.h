@@ -12,7 +12,8 @@ namespace halfdisk {
 
 struct ExtremeSide {
     double error = 0.0;  ///< in the cell's unit; NaN and infinity are possible
-    ExtremeCounts counts;
+    ExtremeCounts counts{};
+    bool asked = true;  ///< false: there is nothing that a naive twin would do otherwise
 };
 
 struct ExtremeOutcome {

@@ -41,7 +41,7 @@ Scene withSlit(const Scene& scene, double gap) {
 ExtremeCounts measureDial(const DialSetting& setting, const Scene& scene, const StopQuestion& stop) {
     const Scene slit = withSlit(scene, setting.gap);
     if (slit.segments.empty()) return {};
-    const Placing placing{setting.scale, setting.offset};
+    const Placement placing{setting.scale, setting.offset};
     SurveyRays rays;
     rays.seed = setting.seed;
     rays.count =

@@ -101,7 +101,7 @@ double naiveFurnaceError(const Scene& furnace, const FurnaceQuestion& question, 
                                           : naiveError<double>(furnace, question, policy, stop);
 }
 
-ExtremeOutcome furnaceOutcome(const Scene& furnace, const Placing& placing, const FurnaceQuestion& question,
+ExtremeOutcome furnaceOutcome(const Scene& furnace, const Placement& placing, const FurnaceQuestion& question,
                               const SurveyRays& rays, const StopQuestion& stop) {
     const Scene there = placed(furnace, placing);
     const auto naive = [&](Precision precision) {

@@ -14,7 +14,7 @@ Scene furnaceOf(const std::vector<Vec2>& points, double albedo, double emission 
 std::vector<Vec2> furnacePolygon();
 
 struct FurnaceQuestion {
-    double albedo = 0.5, emission = 1.0;
+    double albedo = 0.7, emission = 1.0;
     std::uint32_t depth = 5;
     std::uint64_t paths = 1200;  ///< from all walls in turn, or from the first `walls`
     std::uint32_t walls = 0xFFFFFFFF;
@@ -28,7 +28,7 @@ double naiveFurnaceError(const Scene& furnace, const FurnaceQuestion& question, 
                          EpsilonPolicy policy = EpsilonPolicy::fixed, const StopQuestion& stop = {});
 
 /// All three: errors in the placed furnace, and counts of rays from its walls.
-ExtremeOutcome furnaceOutcome(const Scene& furnace, const Placing& placing, const FurnaceQuestion& question,
+ExtremeOutcome furnaceOutcome(const Scene& furnace, const Placement& placing, const FurnaceQuestion& question,
                               const SurveyRays& rays, const StopQuestion& stop);
 
 /// What rounding may add up to: see the definition.

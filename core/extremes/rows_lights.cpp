@@ -101,7 +101,7 @@ ExtremeSide naiveBulb(double distance) {
     const double E = static_cast<double>(cosine / r), exact = distance > 0.0 ? 1.0 / distance : 0.0;
     ExtremeSide side;
     if (!std::isfinite(E)) side.counts.nonFinite = 1;
-    side.error = distance > 0.0 ? std::abs(E - exact) / exact : 0.0;
+    side.error = distance > 0.0 ? std::abs(E - exact) / exact : E;
     return side;
 }
 

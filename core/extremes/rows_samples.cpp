@@ -38,22 +38,39 @@ Moments exactMoments(const std::array<float, kPeriod>& xs) {
             static_cast<double>(squares * kPeriods / static_cast<long double>(kSamples - 1))};
 }
 
-/// All samples in turn, less those that change nothing: if a whole period has left every bit of the sums as
-/// it was, so do all that follow. For a plain sum that is plain; for Welford's, whose step is delta / n,
-/// because n only grows, delta stays, and rounding is monotone: what once was rounded away always will be.
-template <class Sums, class Add>
-Sums untilItStalls(const std::array<float, kPeriod>& xs, const StopQuestion& stop, std::uint64_t& stalledAt,
-                   const Add& add) {
-    Sums sums;
+/// All ways to add up, one sample after the other. The plain sum in float is left alone once a whole period
+/// has not changed a bit of it: then no later one will, for each period adds the same numbers to the same
+/// sum.
+struct AllSums {
+    NaiveSums<float> naive;
+    WelfordSums<float> welford;
+    CompensatedSum<float> sum, squares;
+    NaiveSums<double> twice;
+    std::uint64_t stalledAt = kSamples;  ///< where the plain sum in float stood still
+};
+
+AllSums addAll(const std::array<float, kPeriod>& xs, const StopQuestion& stop) {
+    AllSums sums;
     for (std::uint64_t period = 0; period < kPeriods; ++period) {
         throwIfStopped(stop, period);
-        const Sums before = sums;
-        for (std::uint64_t i = 0; i < kPeriod; ++i) add(sums, xs[i], period * kPeriod + i + 1);
-        if (!(sums == before)) continue;
-        stalledAt = period * kPeriod;
-        return sums;
+        if (sums.stalledAt == kSamples) {
+            const NaiveSums<float> before = sums.naive;
+            for (const float x : xs) sums.naive.add(x);
+            if (sums.naive == before) sums.stalledAt = period * kPeriod;
+        }
+        // Together: each waits for its own last result, and meanwhile the others have the processor.
+        WelfordSums<float> welford = sums.welford;
+        CompensatedSum<float> sum = sums.sum, squares = sums.squares;
+        NaiveSums<double> twice = sums.twice;
+        for (std::uint64_t i = 0; i < kPeriod; ++i) {
+            const float x = xs[i], away = x - 1.5f;
+            welford.add(x, static_cast<float>(period * kPeriod + i + 1));
+            sum.add(x);
+            squares.add(away * away);  // about a guess of the mean: x^2 alone would lose 27 times as much
+            twice.add(static_cast<double>(x));
+        }
+        sums.welford = welford, sums.sum = sum, sums.squares = squares, sums.twice = twice;
     }
-    stalledAt = kSamples;
     return sums;
 }
 
@@ -73,41 +90,26 @@ std::string errorsOf(const Moments& said, const Moments& exact) {
 ExtremeOutcome manySamples(const StopQuestion& stop) {
     const auto xs = stream();
     const Moments exact = exactMoments(xs);
+    const AllSums sums = addAll(xs, stop);
     const auto n = static_cast<float>(kSamples);
-    std::uint64_t naiveStall = 0, welfordStall = 0;
-    const auto naive = untilItStalls<NaiveSums<float>>(
-        xs, stop, naiveStall, [](NaiveSums<float>& sums, float x, std::uint64_t) { sums.add(x); });
-    const auto welford = untilItStalls<WelfordSums<float>>(
-        xs, stop, welfordStall,
-        [](WelfordSums<float>& sums, float x, std::uint64_t k) { sums.add(x, static_cast<float>(k)); });
-    // All of them one by one: neither of these stalls.
-    NaiveSums<double> twice;
-    CompensatedSum<float> sum, squares;
-    for (std::uint64_t period = 0; period < kPeriods; ++period) {
-        throwIfStopped(stop, period);
-        for (const float x : xs) {
-            twice.add(static_cast<double>(x));
-            sum.add(x);
-            squares.add((x - 1.5f) *
-                        (x - 1.5f));  // about a guess of the mean: else x^2 alone loses 27 times as much
-        }
-    }
-    const double mean = static_cast<double>(sum.sum) / static_cast<double>(kSamples);
-    const Moments compensated{mean, static_cast<double>(squares.sum) / static_cast<double>(kSamples - 1) -
-                                        (mean - 1.5) * (mean - 1.5)};
-    const Moments naiveSaid{static_cast<double>(naive.mean(n)), static_cast<double>(naive.variance(n))};
-    const Moments welfordSaid{static_cast<double>(welford.average), static_cast<double>(welford.variance(n))};
+    const double mean = static_cast<double>(sums.sum.sum) / static_cast<double>(kSamples);
+    const Moments compensated{mean,
+                              static_cast<double>(sums.squares.sum) / static_cast<double>(kSamples - 1) -
+                                  (mean - 1.5) * (mean - 1.5)};
+    const Moments naive{static_cast<double>(sums.naive.mean(n)), static_cast<double>(sums.naive.variance(n))};
+    const Moments welford{static_cast<double>(sums.welford.average),
+                          static_cast<double>(sums.welford.variance(n))};
     const auto all = static_cast<double>(kSamples);
     const Moments ours = productMoments(xs);
     ExtremeOutcome outcome;
     outcome.ours.error = worse(ours, exact);
-    outcome.naiveFloat.error = worse(naiveSaid, exact);
-    outcome.naiveDouble.error = worse({twice.mean(all), twice.variance(all)}, exact);
-    outcome.words =
-        "errors of mean and variance in float: naive " + errorsOf(naiveSaid, exact) + " (stalls at " +
-        shortText(static_cast<double>(naiveStall)) + "), Welford " + errorsOf(welfordSaid, exact) +
-        " (stalls at " + shortText(static_cast<double>(welfordStall)) + "), compensated " +
-        errorsOf(compensated, exact) + "; the product, Welford in double, merged: " + errorsOf(ours, exact);
+    outcome.naiveFloat.error = worse(naive, exact);
+    outcome.naiveDouble.error = worse({sums.twice.mean(all), sums.twice.variance(all)}, exact);
+    outcome.words = "errors of mean and variance in float: naive " + errorsOf(naive, exact) +
+                    " (its sums stand still from sample " + shortText(static_cast<double>(sums.stalledAt)) +
+                    " on), Welford " + errorsOf(welford, exact) + ", compensated " +
+                    errorsOf(compensated, exact) +
+                    "; in double: Welford, in chunks that are merged (the product), " + errorsOf(ours, exact);
     return outcome;
 }
 
@@ -128,13 +130,13 @@ ExtremeOutcome oneSample(const StopQuestion&) {
         using Real = decltype(sums.sum);
         sums.add(static_cast<Real>(2));
         ExtremeSide side;
-        side.counts.nonFinite = std::isfinite(sums.variance(static_cast<Real>(1))) ? 0 : 1;
+        side.error = static_cast<double>(sums.variance(static_cast<Real>(1)));  // 0 / 0
+        side.counts.nonFinite = std::isfinite(side.error) ? 0 : 1;
         return side;
     };
     outcome.naiveFloat = naive(NaiveSums<float>{});
     outcome.naiveDouble = naive(NaiveSums<double>{});
-    outcome.words = "one sample knows no variance: the product says 0 of " +
-                    std::to_string(estimate.samples.count) + " sample, the formula 0 / 0";
+    outcome.words = "one sample knows no variance: the formula is 0 / 0, the product tells no standard error";
     return outcome;
 }
 

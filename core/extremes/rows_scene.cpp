@@ -39,7 +39,7 @@ double lostShare(const ExtremeCounts& counts) {
            static_cast<double>(std::max<std::uint64_t>(1, counts.rays));
 }
 
-ExtremeOutcome sceneOutcome(const Scene& scene, const Placing& placing, const StopQuestion& stop) {
+ExtremeOutcome sceneOutcome(const Scene& scene, const Placement& placing, const StopQuestion& stop) {
     ExtremeOutcome outcome;
     SurveyRays rays;
     rays.count =
@@ -75,7 +75,7 @@ double sceneBound(double offset) {
 std::vector<ExtremeCell> extremeCellsOf(const Scene& scene) {
     std::vector<ExtremeCell> cells;
     const auto shared = std::make_shared<const Scene>(scene);
-    const auto add = [&](std::string id, std::string title, Placing placing) {
+    const auto add = [&](std::string id, std::string title, Placement placing) {
         cells.push_back(
             {std::move(id), std::move(title), "E, of the brightest; naive: rays lost",
              sceneBound(placing.offset), "32 roundings of coordinates, at distances of 1/1000 of the scene",

@@ -46,6 +46,7 @@ ExtremeOutcome byAllEstimators(const Scene& scene, double exact, const StopQuest
     const SegmentIndex index(scene);
     const Sensor sensor = Probe{kFreePoint};
     ExtremeOutcome outcome;
+    outcome.naiveFloat.asked = outcome.naiveDouble.asked = false;
     for (const EstimatorInfo* info : estimators()) {
         const Problem problem{.index = index, .sensor = sensor, .maxDepth = 0, .stop = stop};
         ParamValues params = initialValues(*info);

@@ -84,13 +84,13 @@ Vec2 middleOf(const Scene& scene) {
 }
 
 /// scale * (p + shift). The way out is slanted, so that both coordinates lose digits.
-Vec2 shiftOf(const Scene& scene, const Placing& placing) {
+Vec2 shiftOf(const Scene& scene, const Placement& placing) {
     if (placing.offset == 0.0) return Vec2(0.0);
     return placing.offset * sizeOf(scene) * Vec2(0.8, -0.6) - middleOf(scene);
 }
 
 template <class Ask>
-ExtremeCounts survey(const Scene& scene, const Placing& placing, const SurveyRays& rays,
+ExtremeCounts survey(const Scene& scene, const Placement& placing, const SurveyRays& rays,
                      const StopQuestion& stop, const Ask& ask) {
     ExtremeCounts counts;
     if (scene.segments.empty()) return counts;
@@ -134,7 +134,7 @@ ExtremeCounts survey(const Scene& scene, const Placing& placing, const SurveyRay
 }
 
 template <class Real>
-ExtremeCounts surveyIn(const Scene& scene, const Placing& placing, const SurveyRays& rays,
+ExtremeCounts surveyIn(const Scene& scene, const Placement& placing, const SurveyRays& rays,
                        EpsilonPolicy policy, double fixedEpsilon, const StopQuestion& stop) {
     const NaiveRoom<Real> room(placed(scene, placing), policy, fixedEpsilon);
     return survey(scene, placing, rays, stop, [&](const Start& start) {
@@ -168,11 +168,11 @@ double sizeOf(const Scene& scene) {
     return scene.segments.empty() ? 1.0 : std::max(most.x - least.x, most.y - least.y);
 }
 
-Vec2 placed(const Scene& scene, const Placing& placing, Vec2 P) {
+Vec2 placed(const Scene& scene, const Placement& placing, Vec2 P) {
     return placing.scale * (P + shiftOf(scene, placing));
 }
 
-Scene placed(const Scene& scene, const Placing& placing) {
+Scene placed(const Scene& scene, const Placement& placing) {
     Scene copy = scene;
     const Vec2 shift = shiftOf(scene, placing);
     const auto move = [&](Vec2& p) { p = placing.scale * (p + shift); };
@@ -188,7 +188,7 @@ Scene placed(const Scene& scene, const Placing& placing) {
     return copy;
 }
 
-ExtremeCounts surveyOurs(const Scene& scene, const Placing& placing, const SurveyRays& rays,
+ExtremeCounts surveyOurs(const Scene& scene, const Placement& placing, const SurveyRays& rays,
                          const StopQuestion& stop) {
     const Scene there = placed(scene, placing);
     const SegmentIndex index(there);
@@ -203,7 +203,7 @@ ExtremeCounts surveyOurs(const Scene& scene, const Placing& placing, const Surve
     });
 }
 
-ExtremeCounts surveyNaive(const Scene& scene, const Placing& placing, const SurveyRays& rays,
+ExtremeCounts surveyNaive(const Scene& scene, const Placement& placing, const SurveyRays& rays,
                           Precision precision, EpsilonPolicy policy, double fixedEpsilon,
                           const StopQuestion& stop) {
     return precision == Precision::single

@@ -24,7 +24,7 @@ struct ExtremeCounts {
 
 /// Where a copy of a scene stands: its largest side is `scale` times what it was, and its middle is `offset`
 /// such sizes away from the origin.
-struct Placing {
+struct Placement {
     double scale = 1.0;
     double offset = 0.0;
 };
@@ -33,9 +33,9 @@ struct Placing {
 double sizeOf(const Scene& scene);
 
 /// Point lights shine and glass absorbs so that all irradiance stays as it was.
-Scene placed(const Scene& scene, const Placing& placing);
+Scene placed(const Scene& scene, const Placement& placing);
 /// Of a point of the scene.
-Vec2 placed(const Scene& scene, const Placing& placing, Vec2 P);
+Vec2 placed(const Scene& scene, const Placement& placing, Vec2 P);
 
 /// By which rays a tracer is tried.
 struct SurveyRays {
@@ -47,11 +47,11 @@ struct SurveyRays {
 };
 
 /// The product's own: SegmentIndex and rayFrom. The scene is surveyed where `placing` puts it.
-ExtremeCounts surveyOurs(const Scene& scene, const Placing& placing, const SurveyRays& rays,
+ExtremeCounts surveyOurs(const Scene& scene, const Placement& placing, const SurveyRays& rays,
                          const StopQuestion& stop = {});
 
 /// The naive twin. A wall that its number type gives no length counts as non-finite whenever it is left.
-ExtremeCounts surveyNaive(const Scene& scene, const Placing& placing, const SurveyRays& rays,
+ExtremeCounts surveyNaive(const Scene& scene, const Placement& placing, const SurveyRays& rays,
                           Precision precision, EpsilonPolicy policy, double fixedEpsilon = 1e-4,
                           const StopQuestion& stop = {});
 

@@ -24,6 +24,7 @@ constexpr const char* kFooter = R"(Examples:
   halfdisk export caustic:4 -o caustic           what a step shows as pictures, tables and words
   halfdisk eye room.toml -o room.png             what the scene's eye sees
   halfdisk verify                                whether the lessons' claims are true
+  halfdisk extremes                              what holds at the edges of numbers, and what does not
 
 Exit codes: 0 success, 1 failure, 2 bad input, 130 stopped by Ctrl-C (what was done is written).)";
 
@@ -72,6 +73,7 @@ int parseAndRun(int argc, const char* const* argv) {
     addRenderCommands(app, chosen);
     addEstimatorsCommand(app, chosen);
     addSceneCommand(app, chosen);
+    addExtremesCommand(app, chosen);
     addVerifyCommand(app, chosen, lessonsFolder);
 
     refuseEmptyValues(argc, argv);

@@ -35,7 +35,13 @@ Rgb segmentIrradiance(Vec2 P, Vec2 N, const Segment& segment) {
     if (heightA <= 0.0 && heightB <= 0.0) return Rgb(0.0);
     if (heightA < 0.0) a += (b - a) * (heightA / (heightA - heightB));
     if (heightB < 0.0) b += (a - b) * (heightB / (heightB - heightA));
-    return segment.emission * std::abs(cross(N, a) / glm::length(a) - cross(N, b) / glm::length(b));
+    a /= glm::length(a);
+    b /= glm::length(b);
+    const double cosine = glm::dot(a, b);
+    if (cosine <= 0.0) return segment.emission * std::abs(cross(N, a) - cross(N, b));
+    // sin beta - sin alpha = 2 cos((alpha + beta) / 2) sin((beta - alpha) / 2): of a small lamp, or one next
+    // to the horizon, both sines are nearly the same, and their difference mere rounding.
+    return segment.emission * (std::abs(cross(a, b)) * glm::dot(N, a + b) / (1.0 + cosine));
 }
 
 double closedRoomRadiance(double Le, double albedo, int depth) {

@@ -10,9 +10,9 @@ namespace halfdisk {
 namespace {
 
 // A point is kept this many shifts away from the segment's ends. The shifted origin is at most 13/8 shifts
-// off its wall, so it lies inside every corner of more than 13/8/128 rad (0.73 degrees) between two walls,
+// off its wall, so it lies inside every corner of more than 13/8/2048 rad (0.8e-3) between two walls,
 // and the other wall blocks as it should.
-constexpr double kEndShifts = 128.0;
+constexpr double kEndShifts = 2048.0;
 
 // Walls up to which trying all of them is faster than the tree.
 constexpr std::size_t kMostByBruteForce = 128;

@@ -92,13 +92,13 @@ TEST_CASE("leak: none from 20 000 random triangles") {
         std::vector<Vec2> points = {random.pointIn(-1.0, 1.0), random.pointIn(-1.0, 1.0),
                                     random.pointIn(-1.0, 1.0)};
         if (cross(points[1] - points[0], points[2] - points[0]) < 0.0) std::swap(points[1], points[2]);
-        // Points keep 64 shifts from a wall's ends, and a moved origin lies up to 13/8 of a shift off its
-        // wall: that is made for corners above 1.46 degrees.
+        // Points keep 2048 shifts from a wall's ends, and a moved origin lies up to 13/8 of a shift off its
+        // wall: that is made for corners above 0.8e-3 rad.
         bool sharp = false;
         for (std::size_t i = 0; i < 3; ++i) {
             const Vec2 p = glm::normalize(points[(i + 1) % 3] - points[i]),
                        q = glm::normalize(points[(i + 2) % 3] - points[i]);
-            sharp = sharp || glm::dot(p, q) > std::cos(1.5 * kPi / 180.0);
+            sharp = sharp || glm::dot(p, q) > std::cos(1e-3);
         }
         if (sharp) continue;
         ++tried;
@@ -110,12 +110,16 @@ TEST_CASE("leak: none from 20 000 random triangles") {
 }
 
 TEST_CASE("leak: none from a corner of 1.06 degrees") {
-    // Sharper than 1.46 degrees, yet above the 1/64 rad for which the margin at a wall's end is said to be
-    // enough.
+    // A corner that a margin of 64 shifts at a wall's end was too small for.
     const std::vector<Vec2> points = {{-72.466142968422901, 58.055494933183624},
                                       {58.49169662977414, -80.049653606476312},
                                       {-32.442853858399296, 19.467632571398234}};
     CHECK(leaks(points, {0.0, 0.3, 1.0}, halfDisk(4)) == 0);
+}
+
+TEST_CASE("leak: none from a corner of a thousandth of a radian") {
+    for (const double turn : {0.0, 0.4, 1.1, 2.7, 4.0})
+        CHECK(leaks(wedge(1e-3 * 180.0 / kPi, turn), kEnds, halfDisk(100)) == 0);
 }
 
 TEST_CASE("leak: none where a box stands on the ground (T-junctions)") {

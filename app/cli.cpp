@@ -72,6 +72,7 @@ int parseAndRun(int argc, const char* const* argv) {
     addRenderCommands(app, chosen);
     addEstimatorsCommand(app, chosen);
     addSceneCommand(app, chosen);
+    addTradeCommand(app, chosen);
     addVerifyCommand(app, chosen, lessonsFolder);
 
     refuseEmptyValues(argc, argv);

@@ -19,6 +19,7 @@ void addProbeCommand(CLI::App& app, Action& chosen);
 void addRenderCommands(CLI::App& app, Action& chosen);  ///< eye, profile, field
 void addEstimatorsCommand(CLI::App& app, Action& chosen);
 void addSceneCommand(CLI::App& app, Action& chosen);
+void addTradeCommand(CLI::App& app, Action& chosen);
 void addVerifyCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder);
 
 /// `--lessons DIR`, before or after the subcommand.

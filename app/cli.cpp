@@ -74,6 +74,7 @@ int parseAndRun(int argc, const char* const* argv) {
     addEstimatorsCommand(app, chosen);
     addSceneCommand(app, chosen);
     addExtremesCommand(app, chosen);
+    addTradeCommand(app, chosen);
     addVerifyCommand(app, chosen, lessonsFolder);
 
     refuseEmptyValues(argc, argv);

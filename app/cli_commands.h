@@ -20,6 +20,7 @@ void addRenderCommands(CLI::App& app, Action& chosen);  ///< eye, profile, field
 void addEstimatorsCommand(CLI::App& app, Action& chosen);
 void addSceneCommand(CLI::App& app, Action& chosen);
 void addExtremesCommand(CLI::App& app, Action& chosen);
+void addTradeCommand(CLI::App& app, Action& chosen);
 void addVerifyCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder);
 
 /// `--lessons DIR`, before or after the subcommand.

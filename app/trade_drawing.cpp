@@ -1,0 +1,236 @@
+// How is a trade drawn? The front of all settings, and how their errors fall; for files and for the window.
+#include "app/trade_drawing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/pen.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr double kPercent = 100.0;
+
+std::size_t at(TradeCost cost) {
+    return static_cast<std::size_t>(cost);
+}
+
+/// What its passes cost in all.
+double spentOf(const TradeReport& report, std::size_t cell, TradeCost cost) {
+    const TradeLaw& law = report.verdicts[cell].law;
+    return law.preparation[at(cost)] + static_cast<double>(report.cells[cell].passes) * law.perPass[at(cost)];
+}
+
+PlotAxis costAxis(const TradeReport& report, TradeCost cost) {
+    PlotAxis axis{1.0, 10.0, true, cost == TradeCost::rays ? "rays" : "seconds"};
+    bool any = false;
+    for (std::size_t i = 0; i < report.cells.size(); ++i) {
+        if (!report.cells[i].measured()) continue;
+        const TradeLaw& law = report.verdicts[i].law;
+        const double first = law.preparation[at(cost)] + law.perPass[at(cost)],
+                     last = spentOf(report, i, cost);
+        if (!(first > 0.0)) continue;
+        axis.from = any ? std::min(axis.from, first) : first;
+        axis.to = any ? std::max(axis.to, last) : last;
+        any = true;
+    }
+    axis.from = std::pow(10.0, std::floor(std::log10(axis.from)));
+    // Beyond the budgets the laws are told too: a decade shows who wins with more patience.
+    axis.to = std::max(std::pow(10.0, std::ceil(std::log10(axis.to)) + 1.0), 10.0 * axis.from);
+    return axis;
+}
+
+PlotAxis errorAxis(const TradeReport& report) {
+    PlotAxis axis{kPercent * kMostTradeError, kPercent * kMostTradeError, true, "error, % of the light"};
+    for (std::size_t i = 0; i < report.cells.size(); ++i)
+        if (report.cells[i].measured() && report.verdicts[i].relativeError > 0.0)
+            axis.from = std::min(axis.from, kPercent * report.verdicts[i].relativeError / 3.0);
+    axis.from =
+        std::pow(10.0, std::floor(std::log10(std::clamp(axis.from, kPercent * kLeastTradeError, 10.0))));
+    return axis;
+}
+
+ImVec2 dotOf(const Plot& plot, const TradeReport& report, std::size_t cell, TradeCost cost) {
+    return plot.at(spentOf(report, cell, cost), kPercent * report.verdicts[cell].relativeError);
+}
+
+bool isShown(const Plot& plot, ImVec2 place) {
+    return plot.area.contains(place);
+}
+
+/// The law's curve over the costs that are shown.
+std::vector<ImVec2> curveOf(const Plot& plot, const TradeLaw& law, TradeCost cost) {
+    std::vector<ImVec2> points;
+    const double first = law.preparation[at(cost)] + law.perPass[at(cost)];
+    constexpr int kSteps = 120;
+    const double from = std::max(first, plot.x.from);
+    if (!(first > 0.0) || from >= plot.x.to) return points;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double spent = from * std::pow(plot.x.to / from, static_cast<double>(i) / kSteps);
+        if (const auto error = law.errorFor(std::max(spent, first), cost))
+            points.push_back(plot.at(spent, kPercent * *error));
+    }
+    return points;
+}
+
+std::vector<ImVec2> frontCurve(const Plot& plot, const TradeReport& report, TradeCost cost) {
+    std::vector<ImVec2> points;
+    std::vector<double> errors = tradeErrors();
+    for (auto error = errors.rbegin(); error != errors.rend(); ++error)
+        if (const auto best = cheapest(report, *error, cost))
+            points.push_back(plot.at(best->cost, kPercent * *error));
+    return points;
+}
+
+void drawKey(const Ui& ui, const Plot& plot, const std::vector<std::pair<ImU32, std::string>>& entries) {
+    int row = 0;
+    for (const auto& entry : entries) plotKey(ui, plot, row++, entry.first, entry.second.c_str());
+}
+
+void drawDots(const Ui& ui, const Plot& plot, const TradeReport& report, TradeCost cost,
+              std::optional<std::size_t> chosen) {
+    const Pen pen = penOf(ui);
+    for (std::size_t i = 0; i < report.cells.size(); ++i) {
+        if (!report.cells[i].measured()) continue;
+        const ImVec2 dot = dotOf(plot, report, i, cost);
+        if (!isShown(plot, dot)) continue;
+        const ImU32 color = tradeColor(ui.palette, *report.cells[i].setting.estimator);
+        if (report.verdicts[i].nobody) {
+            pen.AddCircle(dot, 4 * ui.scale, color, 0, 1.5f * ui.scale);
+        } else {
+            pen.AddCircleFilled(dot, 5 * ui.scale, color);
+        }
+        if (chosen == i) pen.AddCircle(dot, 9 * ui.scale, ui.palette.ink, 0, 2.5f * ui.scale);
+    }
+}
+
+/// RMSE as a share of the light, in percent, and its standard error.
+Uncertain percentOf(const TradeLevel& level, double light) {
+    const double root = std::sqrt(level.mse.value);
+    return {kPercent * root / light, kPercent * 0.5 * level.mse.error / (root * light)};
+}
+
+void drawLevels(const Ui& ui, const Plot& plot, const TradeReport& report, const TradeCell& cell) {
+    const Pen pen = penOf(ui);
+    const ImU32 color = tradeColor(ui.palette, *cell.setting.estimator);
+    std::vector<ImVec2> points;
+    for (const TradeLevel& level : cell.levels) {
+        if (!(level.mse.value > 0.0)) continue;
+        const Uncertain error = percentOf(level, report.truth.light);
+        const double rays = level.passes * cell.raysPerPass();
+        const ImVec2 dot = plot.at(rays, error.value);
+        points.push_back(dot);
+        if (!isShown(plot, dot)) continue;
+        pen.PushClipRect(plot.area.min, plot.area.max, true);
+        pen.AddLine(plot.at(rays, std::max(error.value - error.error, 1e-9)),
+                    plot.at(rays, error.value + error.error), color, 2 * ui.scale);
+        pen.PopClipRect();
+        pen.AddCircleFilled(dot, 4 * ui.scale, color);
+    }
+    plotLine(ui, plot, points, color, 2 * ui.scale);
+}
+
+PlotAxis levelAxis(const TradeReport& report, const std::vector<std::size_t>& cells) {
+    PlotAxis axis{1.0, 10.0, true, "rays of one picture"};
+    bool any = false;
+    for (const std::size_t i : cells)
+        for (const TradeLevel& level : report.cells[i].levels) {
+            const double rays = level.passes * report.cells[i].raysPerPass();
+            if (!(rays > 0.0)) continue;
+            axis.from = any ? std::min(axis.from, rays) : rays;
+            axis.to = any ? std::max(axis.to, rays) : rays;
+            any = true;
+        }
+    axis.from = std::pow(10.0, std::floor(std::log10(axis.from)));
+    axis.to = std::max(std::pow(10.0, std::ceil(std::log10(axis.to))), 10.0 * axis.from);
+    return axis;
+}
+
+}  // namespace
+
+ImU32 tradeColor(const Palette& palette, const EstimatorInfo& info) {
+    const std::array colors{palette.point,   palette.sample,           palette.light, palette.normal,
+                            palette.rayDark, palette.shadowRayBlocked, palette.ink,   palette.halfDisk};
+    const auto all = estimators();
+    const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), &info) - all.begin());
+    return colors[place % colors.size()];
+}
+
+Plot drawTradeFront(const Ui& ui, const TradeReport& report, TradeCost cost, ImVec2 size,
+                    std::optional<std::size_t> chosen) {
+    const Plot plot =
+        beginPlot(ui, "front", "What accuracy costs", size, costAxis(report, cost), errorAxis(report));
+    plotLine(ui, plot, frontCurve(plot, report, cost), ui.palette.currentLine, 12 * ui.scale);
+    std::vector<std::pair<ImU32, std::string>> key;
+    for (std::size_t i = 0; i < report.cells.size(); ++i) {
+        const TradeCell& cell = report.cells[i];
+        if (!cell.measured()) continue;
+        const ImU32 color = tradeColor(ui.palette, *cell.setting.estimator);
+        const bool bold = chosen ? chosen == i : !report.verdicts[i].nobody;
+        plotLine(ui, plot, curveOf(plot, report.verdicts[i].law, cost),
+                 bold ? color : withOpacity(color, 0.35f), (bold ? 2.5f : 1.0f) * ui.scale);
+        const std::string name(cell.setting.estimator->id);
+        if (key.empty() || key.back().second != name) key.emplace_back(color, name);
+    }
+    drawDots(ui, plot, report, cost, chosen);
+    key.emplace_back(ui.palette.currentLine, "the cheapest");
+    drawKey(ui, plot, key);
+    return plot;
+}
+
+std::optional<std::size_t> tradeCellAt(const Plot& plot, const TradeReport& report, TradeCost cost,
+                                       ImVec2 place, float reach) {
+    std::optional<std::size_t> nearest;
+    float best = reach * reach;
+    for (std::size_t i = 0; i < report.cells.size(); ++i) {
+        if (!report.cells[i].measured()) continue;
+        const ImVec2 dot = dotOf(plot, report, i, cost);
+        const float dx = dot.x - place.x, dy = dot.y - place.y, away = dx * dx + dy * dy;
+        if (!isShown(plot, dot) || away > best) continue;
+        best = away;
+        nearest = i;
+    }
+    return nearest;
+}
+
+std::vector<std::size_t> bestCells(const TradeReport& report) {
+    std::vector<std::size_t> cells;
+    for (const EstimatorInfo* info : estimators()) {
+        if (const auto best = cheapest(report, report.target, TradeCost::rays, info)) {
+            cells.push_back(best->cell);
+            continue;
+        }
+        std::optional<std::size_t> least;
+        for (std::size_t i = 0; i < report.cells.size(); ++i)
+            if (report.cells[i].measured() && report.cells[i].setting.estimator == info &&
+                (!least || report.verdicts[i].relativeError < report.verdicts[*least].relativeError))
+                least = i;
+        if (least) cells.push_back(*least);
+    }
+    return cells;
+}
+
+Plot drawConvergence(const Ui& ui, const TradeReport& report, ImVec2 size) {
+    const std::vector<std::size_t> cells = bestCells(report);
+    PlotAxis error = errorAxis(report);
+    error.to = 10.0 * error.to;
+    const Plot plot =
+        beginPlot(ui, "convergence", "How the error falls", size, levelAxis(report, cells), error);
+    std::vector<std::pair<ImU32, std::string>> key;
+    for (const std::size_t i : cells) {
+        const TradeCell& cell = report.cells[i];
+        if (cell.levels.empty()) continue;
+        drawLevels(ui, plot, report, cell);
+        const std::string power = cell.exponent ? fmt::format(": power {:.2f} +- {:.2f}",
+                                                              cell.exponent->value, cell.exponent->error)
+                                                : "";
+        key.emplace_back(tradeColor(ui.palette, *cell.setting.estimator),
+                         fmt::format("{}{}", cell.name, power));
+    }
+    drawKey(ui, plot, key);
+    return plot;
+}
+
+}  // namespace halfdisk

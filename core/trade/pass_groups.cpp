@@ -1,0 +1,98 @@
+// How are an estimator's passes kept so that they can be held against the truth? In few independent groups of
+// equally many passes, whose means are small experiments of their own.
+#include "core/trade/pass_groups.h"
+
+#include <chrono>
+
+#include "core/parallel.h"
+
+namespace halfdisk {
+namespace {
+
+struct Group {
+    Picture mean;
+    Counts counts;
+    bool whole = true;
+};
+
+bool allAlike(const PassGroups& groups) {
+    for (const Picture& mean : groups.means)
+        if (mean != groups.means.front()) return false;
+    return true;
+}
+
+}  // namespace
+
+Picture chosenPixels(const Picture& all, const std::vector<std::uint32_t>& pixels) {
+    if (pixels.empty()) return all;
+    Picture some;
+    some.reserve(pixels.size());
+    for (const std::uint32_t pixel : pixels) some.push_back(all[pixel]);
+    return some;
+}
+
+void PassGroups::joinNeighbours() {
+    std::vector<Picture> joined;
+    for (std::size_t i = 0; i + 1 < means.size(); i += 2) {
+        joined.push_back(std::move(means[i]));
+        for (std::size_t pixel = 0; pixel < joined.back().size(); ++pixel)
+            joined.back()[pixel] = (joined.back()[pixel] + means[i + 1][pixel]) / 2.0;
+    }
+    means = std::move(joined);
+    each *= 2;
+}
+
+GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
+                        const std::vector<std::uint32_t>& pixels, const PassBudget& budget,
+                        const StopQuestion& stop, const LevelTold& level) {
+    using Clock = std::chrono::steady_clock;
+    GroupedPasses run;
+    const auto start = Clock::now();
+    const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    const auto isSpent = [&] {
+        if (run.groups.means.size() < PassGroups::kLeast) return false;
+        return (budget.rays > 0.0 && static_cast<double>(run.counts.rays) >= budget.rays) ||
+               (budget.seconds > 0.0 && elapsed() >= budget.seconds) ||
+               (budget.passes > 0 && run.groups.passes() >= budget.passes);
+    };
+    std::atomic<bool> done{false};
+    while (!done) {
+        const std::uint64_t each = run.groups.each, first = run.groups.means.size();
+        const auto work = [&](std::uint64_t chunk) {
+            Group group;
+            Picture sum(pixelCount, Rgb(0.0));
+            try {
+                for (std::uint64_t k = 0; k < each; ++k) {
+                    throwIfStopped(stop);
+                    estimator.addPass((first + chunk) * each + k, sum, group.counts);
+                }
+            } catch (const Stopped&) {
+                group.whole = false;
+                done = true;
+            }
+            for (Rgb& pixel : sum) pixel /= static_cast<double>(each);
+            group.mean = chosenPixels(sum, pixels);
+            return group;
+        };
+        bool whole = true;
+        const auto merge = [&](const Group& group) {
+            whole = whole && group.whole;
+            if (!whole) run.interrupted = true;
+            // In their order: what other threads did beyond the budget is left out, so that rays alone
+            // decide.
+            if (!whole || (done && isSpent())) return;
+            run.groups.means.push_back(group.mean);
+            run.counts.merge(group.counts);
+            if (isSpent()) done = true;
+        };
+        forChunksInOrder(PassGroups::kMost - first, budget.threads, &done, work, merge);
+        run.seconds = elapsed();
+        if (run.groups.means.size() < PassGroups::kMost) break;
+        if (level) level(run);
+        if (done || allAlike(run.groups)) break;
+        run.groups.joinNeighbours();
+    }
+    return run;
+}
+
+}  // namespace halfdisk

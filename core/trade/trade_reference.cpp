@@ -1,0 +1,135 @@
+// Against what are estimates held? The exact picture where there is one, else a long run of an estimator that
+// leaves nothing out.
+#include "core/trade/trade_reference.h"
+
+#include <cmath>
+#include <limits>
+
+#include "core/exact_field.h"
+#include "core/exact_picture.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr std::uint64_t kOtherSeed = 0x9E3779B97F4A7C15;  // a reference shares no random numbers
+constexpr double kPilotShare = 0.1;
+constexpr std::uint32_t kPatches = 800;
+
+struct Candidate {
+    std::string_view estimator;
+    std::string_view param{};  ///< one parameter that is not at its initial value
+    double value = 0.0;
+};
+// In the order of trust where pilots tell nothing.
+constexpr std::array kCandidates{Candidate{"bidirectional"}, Candidate{"path"}, Candidate{"light"},
+                                 Candidate{"cast-ray", "emitters", 2}};
+
+ParamValues paramsOf(const EstimatorInfo& info, const Candidate& candidate) {
+    ParamValues params = initialValues(info);
+    for (std::size_t i = 0; i < params.size(); ++i)
+        if (info.params[i].name == candidate.param) params[i] = candidate.value;
+    return params;
+}
+
+PassBudget shareOf(const PassBudget& budget, double share) {
+    PassBudget part = budget;
+    part.rays *= share;
+    part.seconds *= share;
+    part.passes = static_cast<std::uint64_t>(static_cast<double>(budget.passes) * share);
+    if (budget.passes > 0 && part.passes == 0) part.passes = 1;
+    return part;
+}
+
+Picture meanOf(const std::vector<Picture>& groups) {
+    Picture mean(groups.front().size(), Rgb(0.0));
+    for (const Picture& group : groups)
+        for (std::size_t pixel = 0; pixel < mean.size(); ++pixel) mean[pixel] += group[pixel];
+    for (Rgb& pixel : mean) pixel /= static_cast<double>(groups.size());
+    return mean;
+}
+
+/// Against its own mean: the spread alone is of use.
+Uncertain varianceOf(const PassGroups& groups) {
+    TradeReference own;
+    own.mean = meanOf(groups.means);
+    return statisticsOf(groups, own).variance;
+}
+
+TradeReference ofRun(const EstimatorInfo& info, const GroupedPasses& run) {
+    TradeReference reference;
+    reference.groups = run.groups.means;
+    reference.mean = meanOf(reference.groups);
+    const double variance = varianceOf(run.groups).value / static_cast<double>(run.groups.passes()),
+                 light = reference.light();
+    reference.relativeError = light > 0.0 ? std::sqrt(variance) / light : 0.0;
+    reference.how = std::string(info.id) + ", " + std::to_string(run.groups.passes()) +
+                    " passes of another seed, " + std::to_string(run.counts.rays) + " rays";
+    return reference;
+}
+
+}  // namespace
+
+std::optional<TradeReference> exactReference(const Problem& problem) {
+    const Scene& scene = problem.index.scene();
+    const SceneTraits traits = traitsOf(scene);
+    const unsigned depth = problem.maxDepth;
+    const std::size_t most = depth == 0 ? Reference::kMostWalls : Reference::kMostWallsDeep;
+    constexpr unsigned kDeepest = 8;
+    if (!traits.diffuseOnly || scene.segments.size() > most || depth > kDeepest) return std::nullopt;
+    TradeReference known;
+    known.relativeError = depth == 0 ? kExactError : kExactErrorDeep;
+    if (const auto* field = std::get_if<Field>(&problem.sensor)) {
+        const Radiosity light(problem.index, kPatches, depth, problem.stop);
+        KnownCells cells = exactCells(light, *field, kKnownCells, problem.stop);
+        known.pixels = std::move(cells.pixels);
+        known.mean = std::move(cells.mean);
+        known.how = "exact, in " + std::to_string(known.mean.size()) + " cells";
+        return known;
+    }
+    throwIfStopped(problem.stop);
+    known.how = "exact, by quadrature";
+    if (const auto* probe = std::get_if<Probe>(&problem.sensor)) {
+        known.mean = {Reference(problem.index, depth).irradiance(probe->at, depth)};
+        return known;
+    }
+    if (!hasExactPicture(problem.sensor)) return std::nullopt;
+    known.mean = exactPicture(Reference(problem.index, depth + 1), problem.sensor, depth, problem.stop);
+    return known;
+}
+
+TradeReference longRun(const Problem& problem, const PassBudget& budget) {
+    Problem other = problem;
+    other.seed = problem.seed ^ kOtherSeed;
+    const std::string all = allPaths(problem.index.scene());
+    const EstimatorInfo* best = nullptr;
+    ParamValues params;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : kCandidates) {
+        const EstimatorInfo& info = *findEstimator(candidate.estimator);
+        const ParamValues values = paramsOf(info, candidate);
+        if (!info.bias.empty() || info.paths(problem.index.scene(), bitOf(problem.sensor)) != all) continue;
+        if (!refusalOf(info, other, values).empty()) continue;
+        const auto estimator = info.make(other, values);
+        const GroupedPasses pilot =
+            runGroups(*estimator, pixelCount(problem.sensor), {}, shareOf(budget, kPilotShare), problem.stop);
+        if (pilot.interrupted) throw Stopped();
+        const Uncertain variance = varianceOf(pilot.groups);
+        const double rays =
+            static_cast<double>(pilot.counts.rays) / static_cast<double>(pilot.groups.passes());
+        // A variance that few groups made, the others saw nothing, is told too small more often than not.
+        const double price = rays * (variance.value + 4.0 * variance.error);
+        if (best != nullptr && !(price < least)) continue;
+        best = &info;
+        params = values;
+        least = price;
+    }
+    if (best == nullptr)
+        throw NoReference("no estimator without bias carries all light of this scene to the sensor " +
+                          std::string(kSensorNames[problem.sensor.index()]));
+    const auto estimator = best->make(other, params);
+    const GroupedPasses run = runGroups(*estimator, pixelCount(problem.sensor), {}, budget, problem.stop);
+    if (run.interrupted) throw Stopped();
+    return ofRun(*best, run);
+}
+
+}  // namespace halfdisk

@@ -71,6 +71,7 @@ int parseAndRun(int argc, const char* const* argv) {
     addProbeCommand(app, chosen);
     addRenderCommands(app, chosen);
     addEstimatorsCommand(app, chosen);
+    addRequirementsCommand(app, chosen);
     addSceneCommand(app, chosen);
     addVerifyCommand(app, chosen, lessonsFolder);
 

@@ -72,6 +72,7 @@ int parseAndRun(int argc, const char* const* argv) {
     addProbeCommand(app, chosen);
     addRenderCommands(app, chosen);
     addEstimatorsCommand(app, chosen);
+    addRequirementsCommand(app, chosen);
     addSceneCommand(app, chosen);
     addExtremesCommand(app, chosen);
     addTradeCommand(app, chosen);

@@ -18,6 +18,7 @@ void addPictureCommands(CLI::App& app, Action& chosen, std::filesystem::path& le
 void addProbeCommand(CLI::App& app, Action& chosen);
 void addRenderCommands(CLI::App& app, Action& chosen);  ///< eye, profile, field
 void addEstimatorsCommand(CLI::App& app, Action& chosen);
+void addRequirementsCommand(CLI::App& app, Action& chosen);
 void addSceneCommand(CLI::App& app, Action& chosen);
 void addExtremesCommand(CLI::App& app, Action& chosen);
 void addTradeCommand(CLI::App& app, Action& chosen);

@@ -45,6 +45,12 @@ inline Rgb lightMet(const LightWays& ways, const LightTable& lights, const Ray& 
     return radiance == Rgb(0.0) ? radiance : radiance * weightMet(ways, lights, ray, hit);
 }
 
+/// Whether asking a light can bring anything: not where rays find all light by themselves, so that no shadow
+/// ray is cast for nothing.
+inline bool asksLights(const LightWays& ways, const LightTable& lights) {
+    return ways.emitters != Emitters::hit || !lights.index().scene().lights.empty();
+}
+
 /// A light that was asked, and what it brings: its share.
 struct AskedLight {
     DrawnLight light;
@@ -55,6 +61,7 @@ struct AskedLight {
 /// Radiance that the scattering wall sends back of one drawn light.
 inline AskedLight askLight(const LightWays& ways, const LightTable& lights, const Arrival& here,
                            const Rng& rng, Counts& counts) {
+    if (!asksLights(ways, lights)) return {};
     const DrawnLight light = drawLight(lights, here.at, rng.uniform(here.vertex, draws::kPick),
                                        rng.uniform(here.vertex, draws::kLight), counts);
     if (light.L_i == Rgb(0.0)) return {light};
@@ -67,6 +74,7 @@ inline AskedLight askLight(const LightWays& ways, const LightTable& lights, cons
 /// What a receiver that gathers gets of one drawn light.
 inline AskedLight askLight(const LightWays& ways, const LightTable& lights, const Receiver& receiver,
                            const Rng& rng, Counts& counts) {
+    if (!asksLights(ways, lights)) return {};
     const DrawnLight light = drawLight(lights, receiver, rng.uniform(draws::kStart, draws::kPick),
                                        rng.uniform(draws::kStart, draws::kLight), counts);
     if (light.L_i == Rgb(0.0)) return {light};

@@ -1,0 +1,26 @@
+// How is what a scene requires told, to people and to scripts?
+#pragma once
+
+#include <string>
+
+#include "app/cli_output.h"
+#include "core/requirements/requirements.h"
+
+namespace halfdisk {
+
+/// `on`, `off` or the number.
+std::string requirementValue(const Requirement& requirement);
+
+/// `estimator path, emitters = both, ...; depth 4, specular 0`.
+std::string planLine(const Plan& plan, const SegmentIndex& index);
+
+/// Every requirement with its reason, then the plan.
+std::string requirementsText(const RequirementsAnswer& answer, const SegmentIndex& index);
+
+/// Options of `halfdisk eye` and the like that give the plan without asking again.
+std::string planOptions(const Plan& plan);
+
+Json planJson(const Plan& plan, const SegmentIndex& index);
+Json requirementsJson(const RequirementsAnswer& answer, const SegmentIndex& index);
+
+}  // namespace halfdisk

@@ -1,0 +1,136 @@
+#include "core/requirements/bounce_findings.h"
+
+#include <algorithm>
+
+#include "core/requirements/words.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr std::uint64_t kSeriesRays = 100'000;
+constexpr double kSure = 2.0;  // standard errors that a measured share is taken for larger
+
+/// A way that finds all light, to be followed deep.
+struct Series {
+    Plan plan;
+    std::uint32_t deepest;
+};
+
+std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32_t maxSpecular) {
+    const auto with = [&](std::string_view id, bool mis, std::uint32_t deepest) -> std::optional<Series> {
+        for (const Way& way : allWays())
+            if (way.estimator == id && way.mis == mis &&
+                isComplete(way, question.index, question.sensor, deepest))
+                return Series{{findEstimator(id), paramsOf(way, question.index, 4), deepest, maxSpecular,
+                               IndexMethod::automatic, way},
+                              deepest};
+        return std::nullopt;
+    };
+    if (auto path = with("path", true, 48)) return path;
+    if (auto light = with("light", false, 32)) return light;
+    if (auto joined = with("bidirectional", true, 10)) return joined;
+    return with("photon-map", true, 8);
+}
+
+BeyondDepth shareBeyond(std::uint32_t depth, const Pilot& all, const Pilot& upTo) {
+    double mean = 0.0, squares = 0.0;
+    const double n = static_cast<double>(all.totals.size());
+    for (std::size_t k = 0; k < all.totals.size(); ++k) mean += (all.totals[k] - upTo.totals[k]) / n;
+    for (std::size_t k = 0; k < all.totals.size(); ++k) {
+        const double off = all.totals[k] - upTo.totals[k] - mean;
+        squares += off * off;
+    }
+    if (!(all.mean > 0.0)) return {depth, 0.0, 0.0};
+    return {depth, std::max(0.0, mean / all.mean), std::sqrt(squares / (n - 1.0) / n) / all.mean};
+}
+
+// The same random numbers at every depth: a deeper path is the same path, followed further, so that the
+// difference is what the further scatterings bring.
+std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Series& series,
+                                  std::uint64_t& rays) {
+    const Problem problem{
+        .index = question.index, .sensor = question.sensor, .seed = question.seed, .stop = question.stop};
+    const Pilot all = pilot(problem, series.plan, {.rays = kSeriesRays, .leastPasses = 16});
+    rays += all.rays;
+    std::vector<BeyondDepth> shares;
+    for (const std::uint32_t depth : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u, 16u, 20u, 24u, 32u}) {
+        if (depth >= series.deepest) break;
+        Plan plan = series.plan;
+        plan.maxDepth = depth;
+        const Pilot upTo =
+            pilot(problem, plan, {.rays = 0, .leastPasses = all.passes, .mostPasses = all.passes});
+        rays += upTo.rays;
+        shares.push_back(shareBeyond(depth, all, upTo));
+        if (shares.back().share + kSure * shares.back().standardError <= question.tolerance) break;
+    }
+    return shares;
+}
+
+/// By the last measured shares, going on as they fell.
+std::uint32_t depthOf(const std::vector<BeyondDepth>& shares, double tolerance) {
+    if (shares.empty()) return kMaxDepthInfo.initial;
+    for (const BeyondDepth& beyond : shares)
+        if (beyond.share + kSure * beyond.standardError <= tolerance) return beyond.depth;
+    const BeyondDepth& last = shares.back();
+    if (shares.size() < 2) return last.depth + 1;
+    const BeyondDepth& before = shares[shares.size() - 2];
+    const double fall = std::pow(std::max(1e-12, last.share) / std::max(1e-12, before.share),
+                                 1.0 / (last.depth - before.depth));
+    if (!(fall < 0.999)) return kMaxDepthInfo.most;
+    const double more = std::log(tolerance / std::max(tolerance, last.share)) / std::log(fall);
+    return static_cast<std::uint32_t>(
+        std::min(static_cast<double>(kMaxDepthInfo.most), last.depth + std::ceil(more) + 1.0));
+}
+
+}  // namespace
+
+BounceFindings findBounces(const RequirementsQuestion& question, const SceneFacts& facts,
+                           std::uint32_t maxSpecular, std::uint64_t& rays) {
+    BounceFindings bounces;
+    bounces.byAlbedo = scatteringsUntil(facts.mostAlbedo, question.tolerance);
+    if (facts.mostAlbedo == 0.0) return bounces;  // no wall scatters
+    if (facts.traits.diffuseOnly) {
+        bounces.patches = patchBounces(question.index, question.sensor, question.tolerance, question.stop);
+        if (bounces.patches)
+            bounces.byRadius = scatteringsUntil(bounces.patches->spectralRadius, question.tolerance);
+    }
+    if (const auto series = seriesOf(question, maxSpecular))
+        bounces.measured = measured(question, *series, rays);
+    if (bounces.patches) {
+        // All of them are there, those too that chance rarely finds.
+        bounces.depth = static_cast<std::uint32_t>(bounces.patches->beyond.size() - 1);
+        bounces.missing = {bounces.depth, bounces.patches->beyond.back(), 0.0};
+        return bounces;
+    }
+    bounces.depth = std::max(1u, depthOf(bounces.measured, question.tolerance));
+    if (bounces.byAlbedo) bounces.depth = std::min(bounces.depth, *bounces.byAlbedo);
+    for (const BeyondDepth& beyond : bounces.measured)
+        if (beyond.depth <= bounces.depth) bounces.missing = beyond;
+    return bounces;
+}
+
+std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts, double tolerance) {
+    if (facts.mostAlbedo == 0.0) return "no wall scatters any light";
+    std::string reason;
+    if (const auto& missing = bounces.missing) {
+        reason = words::joined("more than ", std::to_string(missing->depth), " scatterings bring ",
+                               words::percent(missing->share));
+        if (missing->standardError > 0.0)
+            reason += words::joined(" (± ", words::percent(missing->standardError), ")");
+        reason += " of the light";
+        if (bounces.patches)
+            reason += words::joined(", by ", std::to_string(bounces.patches->patches), " patches");
+        reason += "; ";
+    }
+    reason += words::joined("the tolerance is ", words::percent(tolerance), ". The largest albedo, ",
+                            words::number(facts.mostAlbedo, 3));
+    reason += bounces.byAlbedo ? words::joined(", bounds them by ", std::to_string(*bounces.byAlbedo))
+                               : std::string(", has no bound");
+    if (!bounces.patches) return reason;
+    reason += words::joined(", the spectral radius, ", words::number(bounces.patches->spectralRadius, 3));
+    reason += bounces.byRadius ? words::joined(", by ", std::to_string(*bounces.byRadius))
+                               : std::string(", has none");
+    return reason;
+}
+
+}  // namespace halfdisk

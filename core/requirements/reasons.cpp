@@ -1,0 +1,193 @@
+#include "core/requirements/reasons.h"
+
+#include <algorithm>
+
+#include "core/requirements/bounce_findings.h"
+#include "core/requirements/words.h"
+
+namespace halfdisk {
+namespace {
+
+using words::counted;
+using words::joined;
+
+/// "path (both) 1.2e+04, light 3e+05": rays to the tolerance of the ways tried.
+std::string raysOf(const RequirementsAnswer& answer) {
+    std::string text;
+    for (const Candidate& candidate : answer.candidates) {
+        const Way& way = candidate.plan.way;
+        if (!text.empty()) text += ", ";
+        text += way.estimator;
+        if (!way.emitters.empty()) text += joined(" (", way.emitters, ")");
+        if (rouletteOf(candidate.plan) > 0) text += " with roulette";
+        text += joined(" ", words::number(candidate.pilot.raysTo(answer.tolerance), 3));
+    }
+    return text;
+}
+
+std::string byRays(const RequirementsAnswer& answer, const std::string& conclusion) {
+    return conclusion + "; rays to " + words::percent(answer.tolerance) + " noise: " + raysOf(answer);
+}
+
+/// Fewest rays of the ways tried for which `is` says yes; none: nobody tried.
+template <class Is>
+std::optional<double> leastRays(const RequirementsAnswer& answer, const Is& is) {
+    std::optional<double> least;
+    for (const Candidate& candidate : answer.candidates)
+        if (is(candidate)) {
+            const double rays = candidate.pilot.raysTo(answer.tolerance);
+            if (!least || rays < *least) least = rays;
+        }
+    return least;
+}
+
+std::string fewer(const std::string& way, double times) {
+    return joined(way, " takes ", words::number(times), " times fewer rays to the same noise");
+}
+
+template <class Is>
+std::string factor(const RequirementsAnswer& answer, const Is& is, const std::string& with,
+                   const std::string& without) {
+    const auto on = leastRays(answer, is);
+    const auto off = leastRays(answer, [&](const Candidate& candidate) { return !is(candidate); });
+    if (!on || !off || !(*on > 0.0) || !(*off > 0.0)) return {};
+    return *on <= *off ? fewer(with, *off / *on) : fewer(without, *on / *off);
+}
+
+std::string orElse(const std::string& text, const std::string& other) {
+    return text.empty() ? other : text;
+}
+
+std::string lightsReason(const SceneFacts& facts) {
+    if (!facts.traits.delta) return "no point and no directional light";
+    return counted(facts.points, "point light") + " and " + counted(facts.suns, "directional light") +
+           ", which no ray meets by chance";
+}
+
+std::string specularReason(const RequirementsAnswer& answer) {
+    const SceneFacts& facts = answer.facts;
+    if (!facts.traits.specular) return facts.chainReason + ": nothing to follow";
+    std::string reason = counted(facts.mirrors, "mirror") + " and " + counted(facts.glass, "skin") +
+                         " of glass among the walls; " + facts.chainReason;
+    std::uint64_t cut = 0, paths = 0;
+    for (const Candidate& candidate : answer.candidates)
+        if (candidate.chosen) {
+            cut = candidate.pilot.cut;
+            paths = candidate.pilot.paths;
+        }
+    return reason + "; " + std::to_string(cut) + " of " + std::to_string(paths) + " paths tried were longer";
+}
+
+std::string lightSamplingReason(const RequirementsAnswer& answer) {
+    if (answer.plan.way.estimator == "closed-form")
+        return "direct light alone, and nothing in its way: a formula gives it";
+    if (answer.facts.traits.delta && !answer.plan.way.lightPass)
+        return "lights without size can't be met by chance: they must be asked";
+    const auto asks = [&](const Candidate& candidate) { return candidate.plan.way.lightSampling; };
+    return byRays(answer, orElse(factor(answer, asks, "asking lights", "not asking lights"),
+                                 "all ways tried agree in this"));
+}
+
+std::string misReason(const RequirementsAnswer& answer) {
+    if (!answer.facts.traits.area)
+        return "no lamp and no environment: no light can be found in two ways" +
+               std::string(answer.plan.way.mis ? ", but joined paths can be joined in several" : "");
+    const auto weighs = [](const Candidate& candidate) { return candidate.plan.way.mis; };
+    return orElse(factor(answer, weighs, "weighing two ways", "one way alone"),
+                  "the other ways can't do without");
+}
+
+std::string lightPassReason(const RequirementsQuestion& question, const RequirementsAnswer& answer) {
+    const SceneTraits& has = answer.facts.traits;
+    if (has.delta && has.specular && has.scattering)
+        return "mirrors or glass send light of point or directional lights on walls: paths from the sensor "
+               "never "
+               "find it";
+    if (answer.plan.maxDepth == 0 && !answer.plan.way.lightPass)
+        return "light is not scattered before it arrives";
+    const auto sends = [](const Candidate& candidate) { return candidate.plan.way.lightPass; };
+    if (!has.specular || !question.forced.empty() || answer.candidates.size() > 1)
+        return orElse(
+            factor(answer, sends, "sending paths from the lights", "looking back from the sensor alone"),
+            "paths from the sensor find all light");
+    return "paths from the sensor find all light";
+}
+
+std::string photonReason(const RequirementsAnswer& answer) {
+    if (answer.plan.way.photonPass)
+        return "no way without stored photons carries all paths: caustics of lights without size, seen in "
+               "mirrors or through glass";
+    return "ways without bias carry all light: storing photons would blur it";
+}
+
+std::string rouletteReason(const RequirementsAnswer& answer) {
+    if (!answer.plan.way.roulette) return "there are no paths to end";
+    if (answer.plan.maxDepth == 0) return "paths end at the first scattering";
+    const auto ends = [](const Candidate& candidate) { return rouletteOf(candidate.plan) > 0; };
+    std::optional<double> on, off;
+    for (const Candidate& candidate : answer.candidates)
+        if (candidate.plan.way == answer.plan.way)
+            (ends(candidate) ? on : off) = candidate.pilot.raysTo(answer.tolerance);
+    if (!on || !off) return "was not tried";
+    return *on < *off ? fewer("ending paths by chance", *off / *on)
+                      : fewer("following paths to their end", *on / *off);
+}
+
+std::string indexReason(const RequirementsQuestion& question) {
+    return counted(question.index.scene().segments.size(), "wall") + ": " +
+           std::string(nameOf(kIndexMethods, question.index.method())) + " is fastest for so many";
+}
+
+}  // namespace
+
+std::vector<Requirement> requirementRows(const RequirementsQuestion& question,
+                                         const RequirementsAnswer& answer) {
+    const SceneFacts& facts = answer.facts;
+    std::vector<Requirement> rows;
+    const auto add = [&](RequirementId id, bool on, std::string reason, Ground ground,
+                         std::optional<std::uint32_t> number = std::nullopt) {
+        for (const Forced& forced : question.forced)
+            if (forced.id == id) ground = Ground::force;
+        rows.push_back({id, on, number, ground, std::move(reason)});
+    };
+    const auto planned = [&](RequirementId id, std::string reason, Ground ground = Ground::measurement) {
+        add(id, valueIn(answer.plan, id, facts.traits, question.index) != 0, std::move(reason), ground);
+    };
+    add(RequirementId::deltaLights, facts.traits.delta, lightsReason(facts), Ground::proof);
+    add(RequirementId::areaLights, facts.lamps > 0, counted(facts.lamps, "wall") + " that shine",
+        Ground::proof);
+    add(RequirementId::environment, facts.environment,
+        facts.environment ? "the environment shines" : "the environment is black", Ground::proof);
+    const RequirementsAnswer::Escapes escapes = answer.escapes;
+    add(RequirementId::open, escapes.left > 0,
+        std::to_string(escapes.left) + " of " + std::to_string(escapes.tried) +
+            " rays that left a wall met no other",
+        escapes.left > 0 ? Ground::proof : Ground::measurement);
+    add(RequirementId::specular, answer.plan.maxSpecular > 0, specularReason(answer), Ground::proof,
+        answer.plan.maxSpecular);
+    add(RequirementId::glossy, facts.glossy > 0,
+        facts.glossy > 0 ? counted(facts.glossy, "glossy wall") + ", the sharpest with exponent " +
+                               words::number(facts.mostExponent, 4)
+                         : "no wall is glossy",
+        Ground::proof);
+    add(RequirementId::bounces, answer.plan.maxDepth > 0,
+        facts.traits.delta || facts.traits.area ? bouncesReason(answer.bounces, facts, answer.tolerance)
+                                                : "there is no light",
+        facts.mostAlbedo == 0.0 ? Ground::proof : Ground::measurement, answer.plan.maxDepth);
+    planned(RequirementId::lightSampling, lightSamplingReason(answer),
+            facts.traits.delta ? Ground::proof : Ground::measurement);
+    planned(RequirementId::mis, misReason(answer), facts.traits.area ? Ground::measurement : Ground::proof);
+    planned(RequirementId::lightPass, lightPassReason(question, answer));
+    planned(RequirementId::photonPass, photonReason(answer), Ground::proof);
+    planned(RequirementId::roulette, rouletteReason(answer));
+    planned(RequirementId::index, indexReason(question), Ground::proof);
+    add(RequirementId::colour, !facts.grey,
+        facts.grey ? "all lights and walls are grey: one channel would do"
+                   : "lights or walls differ by channel",
+        Ground::proof);
+    add(RequirementId::doublePrecision, true,
+        "single precision proposes walls and double precision decides which one is met", Ground::proof);
+    return rows;
+}
+
+}  // namespace halfdisk

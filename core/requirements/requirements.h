@@ -1,0 +1,87 @@
+// What does a scene require, for one sensor and one tolerance? What follows from the scene, what short runs
+// in it say, and the plan that does just that.
+//
+// What is left out because it can't be there is left out by proof. Between ways that all carry everything
+// the choice is by measurement. Only the number of bounces drops light, and says how much.
+#pragma once
+
+#include <vector>
+
+#include "core/requirements/patch_bounces.h"
+#include "core/requirements/pilot.h"
+#include "core/requirements/requirement.h"
+#include "core/requirements/scene_facts.h"
+
+namespace halfdisk {
+
+inline constexpr double kInitialTolerance = 0.01;
+
+struct RequirementsQuestion {
+    const SegmentIndex& index;
+    const Sensor& sensor;
+    double tolerance = kInitialTolerance;  ///< share of the light at the sensor that may be missing or noise
+    std::vector<Forced> forced{};
+    std::uint64_t seed = kSeedInfo.initial;
+    StopQuestion stop{};
+};
+
+/// A kind of path: which light comes by it.
+struct PathType {
+    std::string_view word;  ///< of L, D, S and E
+    std::string_view meaning;
+    bool exists = false;
+};
+
+/// Light that is scattered more often than D times.
+struct BeyondDepth {
+    std::uint32_t depth = 0;
+    double share = 0.0;          ///< of all light at the sensor
+    double standardError = 0.0;  ///< 0: not drawn at random
+};
+
+/// What is known of the bounces, from three sides.
+struct BounceFindings {
+    std::uint32_t depth = 0;                ///< the plan's
+    std::optional<std::uint32_t> byAlbedo;  ///< bound by the largest albedo; none: it is 1
+    std::optional<PatchBounces> patches;    ///< of matt rooms
+    std::optional<std::uint32_t> byRadius;  ///< bound by the spectral radius
+    std::vector<BeyondDepth> measured;      ///< by paths, ascending in depth
+    std::optional<BeyondDepth> missing{};   ///< what the plan's depth leaves out, as far as it was measured
+};
+
+/// A way that was tried.
+struct Candidate {
+    Plan plan;
+    Pilot pilot;
+    bool chosen = false;
+};
+
+struct RequirementsAnswer {
+    SceneFacts facts;
+    std::vector<PathType> pathTypes;
+    std::vector<Requirement> requirements;  ///< in the order of kRequirements
+    BounceFindings bounces;
+    std::vector<Candidate> candidates;
+    /// Rays that left walls, and those of them that met no other.
+    struct Escapes {
+        std::uint32_t tried = 0, left = 0;
+    };
+    Escapes escapes;
+    Plan plan;
+    std::string loses;  ///< empty, or what the plan can't carry, in words
+    double tolerance = kInitialTolerance;
+    std::uint64_t rays = 0;  ///< cast to find all this
+    double seconds = 0.0;
+
+    const Requirement& of(RequirementId id) const { return requirements[static_cast<std::size_t>(id)]; }
+};
+
+/// Throws std::invalid_argument, with words for the user, for sensors that can't be used, and if no way does
+/// what is forced; Stopped if question.stop says so.
+RequirementsAnswer requirementsOf(const RequirementsQuestion& question);
+
+/// Whether the ways of a plan are what this requires to be on (1), off (0), or so many.
+std::uint32_t valueIn(const Plan& plan, RequirementId id, const SceneTraits& traits,
+                      const SegmentIndex& index);
+
+}  // namespace halfdisk

@@ -75,6 +75,8 @@ struct AppState {
     ViewSet show;
     bool strategiesAlone = false;  ///< each strategy (s, t) counts whole; else by its weight
     Makers makers;                 ///< of the pictures
+    InstrumentSettings instruments;
+    std::optional<std::size_t> pickedTrade;  ///< of the trade's settings: the one that the stage shows
     bool unlockAll = false;
     ClassRules rules;
 

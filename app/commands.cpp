@@ -160,6 +160,23 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](LightTopic c) { state.topic = c.topic; },
             [&](const SetLanguage& c) { attempt(state, [&](AppState& next) { setLanguage(next, c.code); }); },
             [&](SetFieldScale c) { state.scale = c.scale; },
+            [&](const SetInstruments& c) {
+                if (state.instruments == c.settings) return;
+                // What is only wished for needs no new light.
+                InstrumentSettings measured = c.settings;
+                measured.wish = state.instruments.wish;
+                measured.wishedError = state.instruments.wishedError;
+                measured.wishedMilliseconds = state.instruments.wishedMilliseconds;
+                const bool anew = !(measured == state.instruments);
+                state.instruments = c.settings;
+                if (anew) askAnew(state);
+            },
+            [&](const PickTrade& c) {
+                state.pickedTrade = c.cell;
+                if (!c.cell) return;
+                state.makers.first = c.maker;
+                askAnew(state);
+            },
             [&](ShowSample c) { state.shownSample = c.event; },
             [&](const FilterSamples& c) { state.sampleRange = c.range; },
             [&](SetRun c) {

@@ -35,6 +35,13 @@ struct SetSettings {
 struct SetRun {
     Run run;
 };
+struct SetInstruments {
+    InstrumentSettings settings;
+};
+struct PickTrade {
+    std::optional<std::size_t> cell;  ///< the stage shows this setting; none: what it showed before
+    Maker maker{};
+};
 struct SetFieldScale {
     FieldScale scale;
 };
@@ -196,16 +203,15 @@ struct DismissBanner {};
 struct ExportSeen {};     ///< to files, once the light is complete
 struct DismissNotice {};  ///< and no export any more
 
-using AnyCommand =
-    std::variant<GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, CopyState, Reload,
-                 SetSettings, SetRun, SetFieldScale, ShowSample, FilterSamples, SortSamples, SetMakers,
-                 WeighStrategies, SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew,
-                 MoveSelected, SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo,
-                 SetScenePath, SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource,
-                 ShowWholeRun, SetSpeed, TogglePlay, SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale,
-                 SetView, LookAlong, PinPixel, ShowPane, HideCanvas, RevealAnswer, UnlockAll, DrawCurve,
-                 EndStroke, LightTopic, SetLanguage, ToggleHelp, ShowPalette, SetQuery, SelectEntry,
-                 ShowFiles, SetFilePath, SelectFile, DismissBanner, ExportSeen, DismissNotice>;
+using AnyCommand = std::variant<
+    GoTo, NextStep, PreviousStep, ResetStep, OpenScene, OpenFile, OpenShared, CopyState, Reload, SetSettings,
+    SetRun, SetFieldScale, SetInstruments, PickTrade, ShowSample, FilterSamples, SortSamples, SetMakers,
+    WeighStrategies, SetSplit, SetEditing, SetTool, SetSnap, SelectThings, ActOnSelected, AddNew,
+    MoveSelected, SetMaterial, AddMaterial, ChooseSkyImage, BeginGesture, EditScene, Undo, Redo, SetScenePath,
+    SaveScene, MovePoint, SetEvent, StepEvents, JumpToLine, JumpToSource, ShowWholeRun, SetSpeed, TogglePlay,
+    SetCamera, FitCamera, ScrolledTo, SetGrip, SetUiScale, SetView, LookAlong, PinPixel, ShowPane, HideCanvas,
+    RevealAnswer, UnlockAll, DrawCurve, EndStroke, LightTopic, SetLanguage, ToggleHelp, ShowPalette, SetQuery,
+    SelectEntry, ShowFiles, SetFilePath, SelectFile, DismissBanner, ExportSeen, DismissNotice>;
 /// Its special members are compiled once, in commands.cpp: instantiated in every panel they were a third of
 /// the build's time.
 struct Command : AnyCommand {

@@ -1,11 +1,103 @@
+// What happens to this scene at an extreme? A dial that moves it there, and counters of what goes wrong in a
+// tracer of your choice, beside Halfdisk's own.
+#include "app/choose.h"
+#include "app/draw_text.h"
+#include "app/instrument_words.h"
+#include "app/language.h"
 #include "app/panels.h"
-#include "app/plot.h"
+#include "app/pen.h"
 #include "app/plot_words.h"
 
 namespace halfdisk {
+namespace {
+
+/// How much one pixel of dragging turns: the whole range in some 400.
+DragRange<double> logRange(double least, double most, const char* format) {
+    return {least, most, static_cast<float>(most / 400.0), format, true};
+}
+
+void dialControls(const Ui& ui) {
+    InstrumentSettings settings = ui.state.instruments;
+    DialSetting& dial = settings.dial;
+    const float labels = textSize("precision").x + 2 * ImGui::GetStyle().ItemInnerSpacing.x;
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - labels);
+    dragNumber<double>(ui.widgets, "scale", dial.scale, logRange(kLeastScale, kMostScale, "%.3g"));
+    tooltip("the whole scene so many times as large");
+    dragNumber<double>(ui.widgets, "offset", dial.offset, logRange(0.0, kMostOffset, "%.3g"));
+    tooltip("so many sizes of the scene away from the origin");
+    dragNumber<double>(ui.widgets, "gap", dial.gap, logRange(0.0, kMostGap, "%.3g"));
+    tooltip(
+        "two walls that face each other so many sizes of the scene apart are put into its middle; 0: none");
+    choose(ui, "precision", kPrecisions, dial.precision);
+    choose(ui, "epsilon", kEpsilonPolicies, dial.policy);
+    if (dial.policy == EpsilonPolicy::fixed) {
+        dragNumber<double>(ui.widgets, "nearer", dial.fixedEpsilon,
+                           logRange(kLeastEpsilon, kMostEpsilon, "%.3g m"));
+        tooltip("hits nearer than this do not count");
+    }
+    ImGui::PopItemWidth();
+    if (!(settings == ui.state.instruments)) ui.commands.push_back(SetInstruments{settings});
+}
+
+/// Names on the left, the chosen tracer's counts and the product's in two columns.
+void counters(const Ui& ui, const DialAnswer& answer) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, line = 1.35f * ImGui::GetFontSize();
+    const std::vector<DialLine> lines = dialLines(answer);
+    float names = 0.0f, chosen = textSize("this one").x;
+    for (const DialLine& one : lines) {
+        names = std::max(names, textSize(one.name).x);
+        chosen = std::max(chosen, textSize(one.chosen, ui.fonts.strong).x);
+    }
+    const float gap = 14 * ui.scale;
+    const float first = origin.x + names + gap, second = first + chosen + gap;
+    drawText(ui, {first, origin.y}, ui.palette.inkSoft, tr("this one"));
+    drawText(ui, {second, origin.y}, ui.palette.inkSoft, "Halfdisk");
+    float y = origin.y + line;
+    for (const DialLine& one : lines) {
+        drawText(ui, {origin.x, y}, ui.palette.ink, one.name);
+        drawText(ui, {first, y}, one.wrong ? ui.palette.error : ui.palette.ink, one.chosen, Align::left,
+                 one.wrong ? ui.fonts.strong : nullptr);
+        drawText(ui, {second, y}, ui.palette.ink, one.product);
+        ImGui::SetCursorScreenPos({origin.x, y});
+        ImGui::InvisibleButton(one.name.c_str(), {width, ImGui::GetFontSize()});
+        tooltip(one.meaning);
+        y += line;
+    }
+    ImGui::SetCursorScreenPos({origin.x, y});
+    ImGui::Dummy({width, 0.0f});
+}
+
+}  // namespace
 
 void extremesPanel(const Ui& ui, ImVec2 size) {
-    beginPlot(ui, "extremes", drawingTitle(ui.state, "extremes"), size, {}, {});
+    ImGui::BeginChild("extremes", size);
+    ImGui::PushFont(ui.fonts.strong);
+    textWrapped(ui.widgets, drawingTitle(ui.state, "extremes"));
+    ImGui::PopFont();
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const bool beside = room.x > 460 * ui.scale;
+    const float left = beside ? 0.36f * room.x : room.x;
+    ImGui::BeginGroup();
+    ImGui::PushItemWidth(left);
+    const float right = ImGui::GetContentRegionAvail().x - left;
+    ImGui::BeginChild("dial", {left, beside ? 0.0f : 7.5f * ImGui::GetFrameHeight()});
+    dialControls(ui);
+    ImGui::EndChild();
+    ImGui::PopItemWidth();
+    ImGui::EndGroup();
+    if (beside) ImGui::SameLine(0.0f, 16 * ui.scale);
+    ImGui::BeginChild("counters", {beside ? right - 16 * ui.scale : 0.0f, 0.0f});
+    const auto& answer = ui.state.answer ? ui.state.answer->instruments.dial : nullptr;
+    if (answer) {
+        textWrapped(ui.widgets, dialVerdict(*answer));
+        const OnSheet drawing(ui, "extremes", ImGui::GetContentRegionAvail());
+        if (answer->refusal.empty() && answer->chosen.rays > 0) counters(ui, *answer);
+    } else {
+        text(ui.widgets, "being counted");
+    }
+    ImGui::EndChild();
+    ImGui::EndChild();
 }
 
 }  // namespace halfdisk

@@ -221,6 +221,7 @@ void askLight(Session& session) {
                        .wantsDamage = state.shows(View::damage),
                        .pictures = state.show & kPictureSet,
                        .instruments = state.show & kInstrumentSet,
+                       .instrumentSettings = state.instruments,
                        .makers = state.makers,
                        .run = state.shownRun(),
                        .pixel = state.pinnedPixel,

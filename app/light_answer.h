@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/instrument_answers.h"
 #include "app/light_picture.h"
 #include "app/prepared_scene.h"
 #include "app/ray_cloud.h"
@@ -36,9 +37,10 @@ struct LightQuestion {
     std::shared_ptr<const PreparedScene> scene{};
     WallPoint at{};
     Settings settings{};
-    bool wantsDamage = false;              ///< also what each defect alone does
-    ViewSet pictures{};                    ///< of kPictureSet: those that are wanted too
-    ViewSet instruments{};                 ///< of kInstrumentSet: those that are wanted too
+    bool wantsDamage = false;  ///< also what each defect alone does
+    ViewSet pictures{};        ///< of kPictureSet: those that are wanted too
+    ViewSet instruments{};     ///< of kInstrumentSet: those that are wanted too
+    InstrumentSettings instrumentSettings{};
     Makers makers{};                       ///< of the pictures
     Run run = Run::castRay;                ///< that is recorded
     std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, if its run is recorded and not that at P
@@ -144,6 +146,9 @@ struct LightAnswer {
     std::shared_ptr<const RayCloud> wayCloud;                   ///< all of them
     std::vector<std::pair<std::string, std::size_t>> wayWords;  ///< how many have each word, commonest first
     std::optional<std::size_t> throughPupil;  ///< how many of them pass the eye, if there is one
+
+    // stage 5
+    InstrumentAnswers instruments;
 
     std::string failure;  ///< not empty: why nothing more will come
     bool complete = false;

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/instrument_stages.h"
 #include "app/light_stages.h"
 #include "app/picture_stages.h"
 
@@ -13,6 +14,7 @@ namespace halfdisk {
 struct LightJob::Caches {
     ReferenceCache references;
     PictureCache pictures;
+    InstrumentCache instruments;
     /// Every record is held here as well, so that its megabytes are given back on this thread, not within a
     /// frame.
     std::vector<std::shared_ptr<const void>> records;
@@ -74,12 +76,17 @@ void LightJob::answerAll(LightAnswer& answer, Caches& caches) {
     if (hasQuickCloud(answer)) makeTreeCloud(answer, cancelled_);
     finishingFirstPicture_ = false;
     recallPictures(answer, caches.pictures);
+    recallInstruments(answer, caches.instruments);
     if (!cancelled_) publish(answer);
     const auto superseded = [&] {
         const std::lock_guard guard(mutex_);
         return waiting_.has_value() || quit_;
     };
     const auto publishNow = [&] { publish(answer); };
+    if (!superseded() && answer.asked.instruments.has(View::extremes)) {
+        answerDial(answer, caches.instruments, cancelled_);
+        publishNow();
+    }
     if (answer.treeLines && !superseded()) {
         makeTreeCloud(answer, cancelled_);
         publish(answer);
@@ -90,6 +97,7 @@ void LightJob::answerAll(LightAnswer& answer, Caches& caches) {
     if (!superseded()) refine(answer, caches.references, cancelled_, publishNow);
     if (!superseded()) findExactPictures(answer, caches.references, cancelled_);
     if (!superseded()) refinePictures(answer, caches.pictures, cancelled_, publishNow, UINT_MAX);
+    if (!superseded()) measureInstruments(answer, caches.instruments, cancelled_, publishNow);
     if (!superseded()) {
         answer.complete = true;
         publishNow();

@@ -79,7 +79,8 @@ void keepLocked(const AppState& here, AppState& shared) {
     if (rules.isLocked(Control::emitters)) settings.emitters = here.settings.emitters;
     if (rules.isLocked(Control::defects)) settings.defects = here.settings.defects;
     if (rules.isLocked(Control::estimator) || rules.isLocked(Control::params)) shared.makers = here.makers;
-    StepValues values{.settings = settings, .at = shared.at, .makers = shared.makers};
+    StepValues values{
+        .settings = settings, .at = shared.at, .makers = shared.makers, .instruments = shared.instruments};
     obey(rules, shared.scene->scene, values);
     shared.settings = values.settings;
     shared.at = values.at;
@@ -125,6 +126,8 @@ void enterStep(AppState& state, std::size_t step) {
     state.makers = values.makers;
     state.run = values.run;
     state.scale = values.scale;
+    state.instruments = values.instruments;
+    state.pickedTrade.reset();
     state.strategiesAlone = false;
     state.sampleRange.reset();
     state.largestFirst = false;
@@ -255,7 +258,8 @@ AppState openRequested(const OpeningRequest& request) {
 void setRules(AppState& state, const ClassRules& rules, bool asTheStepBegins) {
     state.rules = rules;
     if (state.lesson && asTheStepBegins) return enterStep(state, state.step);
-    StepValues values{state.settings, state.at, state.makers};
+    StepValues values{
+        .settings = state.settings, .at = state.at, .makers = state.makers, .instruments = state.instruments};
     obey(rules, state.scene->scene, values);
     state.settings = values.settings;
     state.at = values.at;

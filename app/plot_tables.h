@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/app_state.h"
+#include "app/instrument_words.h"
 
 namespace halfdisk {
 
@@ -30,7 +31,7 @@ struct PlotTable {
     std::string (*table)(const AppState& state);
 };
 
-inline constexpr std::array<PlotTable, 8> kPlotTables{{
+inline constexpr std::array<PlotTable, 9> kPlotTables{{
     {"integrand", View::integrand, integrandTable},
     {"error", View::error, errorTable},
     {"histogram", View::histogram, histogramTable},
@@ -39,6 +40,7 @@ inline constexpr std::array<PlotTable, 8> kPlotTables{{
     {"eye", View::eye, eyeTable},
     {"field", View::field, fieldTable},
     {"strategies", View::strategies, strategiesTable},
+    {"extremes", View::extremes, extremesTable},
 }};
 
 }  // namespace halfdisk

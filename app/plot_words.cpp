@@ -10,6 +10,7 @@
 #include "app/exact_stages.h"
 #include "app/goal_check.h"
 #include "app/histogram.h"
+#include "app/instrument_words.h"
 #include "app/language.h"
 #include "app/message_words.h"
 #include "app/profile_difference.h"
@@ -253,6 +254,7 @@ std::string drawingWords(const AppState& state, std::string_view name) {
     if (name == "eye") return eyeStripWords(state);
     if (name == "field") return fieldWords(state);
     if (name == "strategies") return strategiesWords(state);
+    if (name == "extremes") return extremesWords(state);
     return {};
 }
 

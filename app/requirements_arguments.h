@@ -9,8 +9,6 @@
 
 namespace halfdisk {
 
-inline constexpr double kLeastTolerance = 1e-4, kMostTolerance = 0.5;
-
 /// `mis=off`, `bounces=3` ... Throws InputError for unknown names, facts that can't be switched, wrong
 /// values, and a name given twice.
 std::vector<Forced> forcedArguments(const std::vector<std::string>& texts);

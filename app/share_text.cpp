@@ -98,6 +98,53 @@ void readSettings(const Json& json, Settings& settings) {
     settings.defects.bits = static_cast<std::uint8_t>(whole(json, "defects", 0, DefectSet::all().bits));
 }
 
+double within(const Json& json, const char* key, double least, double most) {
+    const std::string expected = fmt::format("a number from {} to {}", least, most);
+    const Json& found = valueOf(json, key, expected);
+    const double value = found.is_number() ? found.get<double>() : std::nan("");
+    if (!(value >= least && value <= most)) failValue(key, found, expected);
+    return value;
+}
+
+Json jsonOf(const InstrumentSettings& settings) {
+    const DialSetting& dial = settings.dial;
+    Json forced = Json::object();
+    for (const Forced& one : settings.forced) forced[std::string(infoOf(one.id).name)] = one.value;
+    return {{"scale", dial.scale},
+            {"offset", dial.offset},
+            {"gap", dial.gap},
+            {"epsilon", dial.fixedEpsilon},
+            {"precision", std::string(nameOf(kPrecisions, dial.precision))},
+            {"policy", std::string(nameOf(kEpsilonPolicies, dial.policy))},
+            {"wish", std::string(nameOf(kWishes, settings.wish))},
+            {"error", settings.wishedError},
+            {"milliseconds", settings.wishedMilliseconds},
+            {"tolerance", settings.tolerance},
+            {"forced", forced}};
+}
+
+InstrumentSettings instrumentsOf(const Json& json) {
+    if (!json.is_object()) failValue("instruments", json, "an object");
+    InstrumentSettings settings;
+    settings.dial.scale = within(json, "scale", kLeastScale, kMostScale);
+    settings.dial.offset = within(json, "offset", 0.0, kMostOffset);
+    settings.dial.gap = within(json, "gap", 0.0, kMostGap);
+    settings.dial.fixedEpsilon = within(json, "epsilon", kLeastEpsilon, kMostEpsilon);
+    settings.dial.precision = named(json, "precision", kPrecisions);
+    settings.dial.policy = named(json, "policy", kEpsilonPolicies);
+    settings.wish = named(json, "wish", kWishes);
+    settings.wishedError = within(json, "error", kLeastWishedError, kMostWishedError);
+    settings.wishedMilliseconds = within(json, "milliseconds", kLeastMilliseconds, kMostMilliseconds);
+    settings.tolerance = within(json, "tolerance", kLeastTolerance, kMostTolerance);
+    const Json& forced = valueOf(json, "forced", "an object");
+    if (!forced.is_object()) failValue("forced", forced, "an object");
+    for (const RequirementInfo& info : kRequirements)
+        if (forced.contains(std::string(info.name)) && info.kind != Switch::none)
+            settings.forced.push_back({info.id, static_cast<std::uint32_t>(
+                                                    whole(forced, std::string(info.name).c_str(), 0, 1000))});
+    return settings;
+}
+
 AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     AppState state;
     SceneDescription scene;
@@ -127,6 +174,8 @@ AppState stateOf(const std::filesystem::path& lessonsFolder, const Json& json) {
     if (json.contains("second")) state.makers.second = makerOfJson(json["second"]);
     if (json.contains("equal")) state.makers.equal = named(json, "equal", kBudgets);
     if (json.contains("scale")) state.scale = named(json, "scale", kFieldScales);
+    state.instruments = {};
+    if (json.contains("instruments")) state.instruments = instrumentsOf(json["instruments"]);
     state.strategiesAlone = json.contains("alone") && json["alone"] == true;
     if (json.contains("run")) state.run = named(json, "run", kRuns);
     state.pinnedPixel.reset();
@@ -173,6 +222,7 @@ std::string shareText(const AppState& state) {
     if (state.makers.second) json["second"] = jsonOf(*state.makers.second);
     if (state.makers.equal != Budget::rays) json["equal"] = std::string(nameOf(kBudgets, state.makers.equal));
     if (state.scale != FieldScale::light) json["scale"] = std::string(nameOf(kFieldScales, state.scale));
+    if (!(state.instruments == InstrumentSettings{})) json["instruments"] = jsonOf(state.instruments);
     if (state.strategiesAlone) json["alone"] = true;
     if (state.run != Run::castRay) json["run"] = std::string(nameOf(kRuns, state.run));
     if (state.pinnedPixel) json["pixel"] = *state.pinnedPixel;

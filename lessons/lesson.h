@@ -12,6 +12,7 @@
 #include "core/settings.h"
 #include "lessons/claim.h"
 #include "lessons/goal.h"
+#include "lessons/instruments.h"
 #include "lessons/maker.h"
 #include "lessons/prose.h"
 #include "lessons/scene_description.h"
@@ -174,6 +175,7 @@ struct StepValues {
     Makers makers;           ///< of the pictures: eye, field and profile
     Run run = Run::castRay;  ///< the one that is recorded
     FieldScale scale = FieldScale::light;
+    InstrumentSettings instruments;
     std::uint32_t event = 0;               ///< position in the recorded run, 0 = its start
     std::optional<std::uint32_t> pixel{};  ///< of the eye's strip, whose run is recorded instead of that at P
     Side pixelOf = Side::first;            ///< whose strip the pixel is of, where two are compared

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lessons/claim_reader.h"
+#include "lessons/instruments_reader.h"
 #include "lessons/lesson_file.h"
 #include "lessons/maker_reader.h"
 #include "lessons/scene_file.h"
@@ -90,6 +91,7 @@ class LessonReader {
         readMakers(table, values.makers);
         if (const TomlValue* scale = table.optional("scale"))
             values.scale = readNamed(file_, "scale", *scale, kFieldScales);
+        readInstruments(table, values.instruments);
         if (const TomlValue* run = table.optional("run")) values.run = readNamed(file_, "run", *run, kRuns);
         if (const TomlValue* event = table.optional("event"))
             values.event = static_cast<std::uint32_t>(readWhole(file_, "event", *event, {0, kMostEvents}));

@@ -1,0 +1,38 @@
+// What did the instruments find? Plain data that grows behind the frame.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/extremes/survey.h"
+#include "core/requirements/requirements.h"
+#include "core/trade/trade_report.h"
+
+namespace halfdisk {
+
+/// The trade as far as it is measured.
+struct TradeSoFar {
+    TradeReport report;
+    std::string reference;  ///< in words
+    std::string refusal;    ///< not empty: why there is none
+    std::size_t settings = 0;
+    std::size_t done = 0;  ///< of them
+    bool complete() const { return done == settings; }
+};
+
+/// The scene as the dial places it, by the chosen tracer and by the product itself.
+struct DialAnswer {
+    DialSetting setting;
+    ExtremeCounts chosen, product;
+    std::string refusal;  ///< not empty: why nothing was counted
+};
+
+struct InstrumentAnswers {
+    std::shared_ptr<const DialAnswer> dial;                  ///< null: not wanted, or not begun
+    std::shared_ptr<const TradeSoFar> trade;                 ///< the same
+    std::shared_ptr<const RequirementsAnswer> requirements;  ///< the same, or refused
+    std::string requirementsRefusal;
+};
+
+}  // namespace halfdisk

@@ -1,0 +1,169 @@
+#include "app/instrument_stages.h"
+
+#include <stdexcept>
+
+#include "core/stop.h"
+
+namespace halfdisk {
+namespace {
+
+// Of each setting of the trade, and of its reference: some seconds for all of them.
+constexpr double kTradeRays = 60'000.0, kReferenceRays = 1'500'000.0;
+constexpr std::uint32_t kTradePixels = 48;
+constexpr double kTarget = 0.01;
+
+std::optional<std::uint32_t> wallOf(const LightQuestion& asked) {
+    return asked.scene->scene.eye ? std::nullopt : std::optional(asked.at.segment);
+}
+
+/// Throws away what answers another question.
+void tidy(const LightQuestion& asked, InstrumentCache& cache) {
+    const bool same = cache.scene == asked.scene && cache.seed == asked.settings.seed &&
+                      cache.depth == asked.settings.maxDepth && cache.wall == wallOf(asked) &&
+                      cache.effort == asked.effort;
+    if (!same) {
+        cache = {};
+        cache.scene = asked.scene;
+        cache.seed = asked.settings.seed;
+        cache.depth = asked.settings.maxDepth;
+        cache.wall = wallOf(asked);
+        cache.effort = asked.effort;
+    }
+    const InstrumentSettings& settings = asked.instrumentSettings;
+    if (cache.tolerance != settings.tolerance || cache.forced != settings.forced) {
+        cache.tolerance = settings.tolerance;
+        cache.forced = settings.forced;
+        cache.answers.requirements.reset();
+        cache.answers.requirementsRefusal.clear();
+    }
+    if (cache.answers.dial && !(cache.answers.dial->setting == settings.dial)) cache.answers.dial.reset();
+}
+
+void turnDial(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
+    auto answer = std::make_shared<DialAnswer>();
+    answer->setting = asked.instrumentSettings.dial;
+    DialSetting product = answer->setting;
+    product.precision = Precision::twice;
+    product.policy = EpsilonPolicy::ours;
+    try {
+        answer->chosen = measureDial(answer->setting, asked.scene->scene, stop);
+        answer->product = measureDial(product, asked.scene->scene, stop);
+    } catch (const std::invalid_argument& refused) {
+        answer->refusal = refused.what();
+    }
+    cache.answers.dial = std::move(answer);
+}
+
+void askRequirements(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
+    const Sensor sensor = instrumentSensor(asked);
+    try {
+        cache.answers.requirements = std::make_shared<const RequirementsAnswer>(
+            requirementsOf({.index = asked.scene->index,
+                            .sensor = sensor,
+                            .tolerance = asked.instrumentSettings.tolerance,
+                            .forced = asked.instrumentSettings.forced,
+                            .seed = asked.settings.seed,
+                            .stop = stop}));
+    } catch (const std::invalid_argument& refused) {
+        cache.answers.requirementsRefusal = refused.what();
+    }
+}
+
+/// Of all estimators, at their initial values and with one parameter changed at a time.
+std::vector<TradeSetting> settingsOf(const Sensor& sensor, std::uint32_t depth) {
+    std::vector<TradeSetting> settings;
+    for (const EstimatorInfo* info : estimators())
+        if (info->sensors & bitOf(sensor))
+            for (TradeSetting& one : defaultSettings(*info, depth)) settings.push_back(std::move(one));
+    return settings;
+}
+
+/// One more setting. False: all are done.
+bool goOnTrading(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
+    const Sensor sensor = instrumentSensor(asked);
+    const std::uint32_t depth = asked.settings.maxDepth;
+    const Problem problem{.index = asked.scene->index,
+                          .sensor = sensor,
+                          .maxDepth = depth,
+                          .seed = asked.settings.seed,
+                          .stop = stop};
+    auto next = cache.answers.trade ? std::make_shared<TradeSoFar>(*cache.answers.trade)
+                                    : std::make_shared<TradeSoFar>();
+    const std::vector<TradeSetting> settings = settingsOf(sensor, depth);
+    next->settings = settings.size();
+    if (next->done >= settings.size()) return false;
+    const auto tell = [&] { cache.answers.trade = next; };
+    try {
+        if (!cache.reference) {
+            cache.reference = exactReference(problem);
+            if (!cache.reference) cache.reference = longRun(problem, {.rays = asked.effort * kReferenceRays});
+        }
+    } catch (const NoReference& why) {
+        next->refusal = why.what();
+        next->done = next->settings;
+        tell();
+        return true;
+    }
+    const TradeReference& reference = *cache.reference;
+    next->reference = reference.how;
+    std::vector<TradeCell> cells = next->report.cells;
+    cells.push_back(
+        measureCell(problem, settings[next->done], depth, reference, {.rays = asked.effort * kTradeRays}));
+    ++next->done;
+    next->report = tradeReport(
+        std::move(cells), {reference.light(), reference.relativeError, reference.exact(), depth}, kTarget);
+    tell();
+    return true;
+}
+
+}  // namespace
+
+Sensor instrumentSensor(const LightQuestion& asked) {
+    if (const auto& eye = asked.scene->scene.eye) return EyeStrip{*eye, kTradePixels};
+    return Profile{{asked.at.segment}, kTradePixels};
+}
+
+void recallInstruments(LightAnswer& answer, InstrumentCache& cache) {
+    tidy(answer.asked, cache);
+    const ViewSet wanted = answer.asked.instruments;
+    answer.instruments = {};
+    if (wanted.has(View::extremes)) answer.instruments.dial = cache.answers.dial;
+    if (wanted.has(View::trade)) answer.instruments.trade = cache.answers.trade;
+    if (!wanted.has(View::requirements)) return;
+    answer.instruments.requirements = cache.answers.requirements;
+    answer.instruments.requirementsRefusal = cache.answers.requirementsRefusal;
+}
+
+void answerDial(LightAnswer& answer, InstrumentCache& cache, const std::atomic<bool>& cancelled) {
+    tidy(answer.asked, cache);
+    if (!answer.asked.instruments.has(View::extremes) || cache.answers.dial) return;
+    try {
+        turnDial(answer.asked, cache, [&cancelled] { return cancelled.load(std::memory_order_relaxed); });
+    } catch (const Stopped&) {
+        return;
+    }
+    recallInstruments(answer, cache);
+}
+
+void measureInstruments(LightAnswer& answer, InstrumentCache& cache, const std::atomic<bool>& cancelled,
+                        const std::function<void()>& publish) {
+    const LightQuestion& asked = answer.asked;
+    const StopQuestion stop = [&cancelled] { return cancelled.load(std::memory_order_relaxed); };
+    const auto tell = [&] {
+        recallInstruments(answer, cache);
+        publish();
+    };
+    tidy(asked, cache);
+    try {
+        if (asked.instruments.has(View::requirements) && !cache.answers.requirements &&
+            cache.answers.requirementsRefusal.empty()) {
+            askRequirements(asked, cache, stop);
+            tell();
+        }
+        while (asked.instruments.has(View::trade) && !cancelled && goOnTrading(asked, cache, stop)) tell();
+    } catch (const Stopped&) {
+        // A newer question waits; what is whole is kept.
+    }
+}
+
+}  // namespace halfdisk

@@ -1,0 +1,13 @@
+// How does a lesson set the instruments? The keys of [step.set] that are theirs.
+#pragma once
+
+#include "lessons/instruments.h"
+#include "lessons/table_reader.h"
+
+namespace halfdisk {
+
+/// Replaces what the table has: dial = { scale, offset, gap, precision, policy, epsilon }, wishedError or
+/// wishedMilliseconds, tolerance. Does not finish the table.
+void readInstruments(TableReader& table, InstrumentSettings& settings);
+
+}  // namespace halfdisk

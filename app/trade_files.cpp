@@ -93,6 +93,7 @@ TradeCell cellFrom(const Json& json) {
     cell.seconds = json.at("seconds").get<double>();
     cell.statistics.variance = uncertainFrom(json.at("variance"));
     cell.statistics.bias2 = uncertainFrom(json.at("bias2"));
+    cell.statistics.noise = numberFrom(json.at("noise"));
     cell.statistics.mse = uncertainFrom(json.at("groupMse"));
     cell.statistics.mean = numberFrom(json.at("mean"));
     for (const Json& level : json.at("levels"))
@@ -155,6 +156,7 @@ Json cellJson(const TradeCell& cell) {
     json["seconds"] = cell.seconds;
     json["variance"] = uncertainJson(cell.statistics.variance);
     json["bias2"] = uncertainJson(cell.statistics.bias2);
+    json["noise"] = jsonOf(cell.statistics.noise);
     json["groupMse"] = uncertainJson(cell.statistics.mse);
     json["mean"] = jsonOf(cell.statistics.mean);
     json["levels"] = Json::array();

@@ -48,12 +48,12 @@ TradeVerdict verdictOf(const TradeCell& cell, const TradeTruth& truth, double ta
     TradeVerdict verdict;
     const Uncertain bias2 = cell.statistics.bias2;
     const double light = truth.light, passes = static_cast<double>(cell.passes);
-    const double half = studentT(static_cast<double>(cell.groups) - 1.0) * bias2.error;
     const auto share = [&](double square) { return std::sqrt(std::max(0.0, square)) / light; };
+    verdict.foundNothing = !(cell.statistics.mean > 0.0);
     verdict.biased = isBiased(cell, truth);
     verdict.bias = share(bias2.value);
-    verdict.biasLow = share(bias2.value - half);
-    verdict.biasHigh = share(bias2.value + half);
+    verdict.biasLow = share(bias2Low(cell.statistics, cell.groups));
+    verdict.biasHigh = share(bias2High(cell.statistics, cell.groups));
     verdict.law = lawOf(cell, truth, verdict.biased, 0.0);
     verdict.relativeError = std::sqrt(verdict.law.bias2 + verdict.law.variance / passes);
     verdict.rmse = verdict.relativeError * light;

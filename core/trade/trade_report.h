@@ -51,6 +51,7 @@ struct TradeVerdict {
     /// Least factor over all errors by which it is dearer than the cheapest: 1 is on the front. Nothing: it
     /// reaches none of the errors.
     std::array<std::optional<double>, 2> off;
+    bool foundNothing = false;  ///< black, though there is light: too rare for the budget, or never found
     bool nobody = false;  ///< off by more than the confidence intervals in both costs: dominated everywhere
 };
 

@@ -82,6 +82,7 @@ TradeCell cellFrom(const Json& json) {
     setting.facets = json.at("facets").get<double>();
     setting.index = static_cast<IndexMethod>(json.at("index").get<unsigned>());
     cell.name = json.at("name").get<std::string>();
+    cell.complete = json.at("complete").get<bool>();
     cell.refusal = json.at("refusal").get<std::string>();
     if (!cell.measured()) return cell;
     cell.passes = json.at("passes").get<std::uint64_t>();
@@ -145,6 +146,7 @@ Json cellJson(const TradeCell& cell) {
     json["depth"] = cell.setting.maxDepth;
     json["facets"] = cell.setting.facets;
     json["index"] = static_cast<unsigned>(cell.setting.index);
+    json["complete"] = cell.complete;
     json["refusal"] = cell.refusal;
     if (!cell.measured()) return json;
     json["passes"] = cell.passes;

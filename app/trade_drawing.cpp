@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/draw_text.h"
 #include "app/pen.h"
 
 namespace halfdisk {
@@ -148,6 +149,38 @@ PlotAxis levelAxis(const TradeReport& report, const std::vector<std::size_t>& ce
     return axis;
 }
 
+PlotAxis levelErrors(const TradeReport& report, const std::vector<std::size_t>& cells) {
+    PlotAxis axis{1.0, 10.0, true, "error, % of the light"};
+    bool any = false;
+    for (const std::size_t i : cells)
+        for (const TradeLevel& level : report.cells[i].levels) {
+            if (!(level.mse.value > 0.0)) continue;
+            const double error = percentOf(level, report.truth.light).value;
+            axis.from = any ? std::min(axis.from, error) : error;
+            axis.to = any ? std::max(axis.to, error) : error;
+            any = true;
+        }
+    axis.from = std::pow(10.0, std::floor(std::log10(axis.from / 2.0)));  // room for the key
+    axis.to = std::max(std::pow(10.0, std::ceil(std::log10(axis.to))), 10.0 * axis.from);
+    return axis;
+}
+
+/// The key in the lower left corner, where no error is.
+void drawKeyBelow(const Ui& ui, const Plot& plot, const std::vector<std::pair<ImU32, std::string>>& entries) {
+    const Pen pen = penOf(ui);
+    const float line = ImGui::GetFontSize(), gap = 4 * ui.scale, stroke = 16 * ui.scale;
+    float y = plot.area.max.y - gap - static_cast<float>(entries.size()) * line;
+    for (const auto& entry : entries) {
+        const ImVec2 from{plot.area.min.x + 2 * gap, y};
+        const ImVec2 words{from.x + stroke + gap, y};
+        pen.AddRectFilled(from, {words.x + textSize(entry.second).x + gap, y + line},
+                          withOpacity(ui.palette.panel, 0.85f));
+        pen.AddLine({from.x, y + line / 2}, {from.x + stroke, y + line / 2}, entry.first, 3 * ui.scale);
+        drawText(ui, words, ui.palette.ink, entry.second);
+        y += line;
+    }
+}
+
 }  // namespace
 
 ImU32 tradeColor(const Palette& palette, const EstimatorInfo& info) {
@@ -214,22 +247,20 @@ std::vector<std::size_t> bestCells(const TradeReport& report) {
 
 Plot drawConvergence(const Ui& ui, const TradeReport& report, ImVec2 size) {
     const std::vector<std::size_t> cells = bestCells(report);
-    PlotAxis error = errorAxis(report);
-    error.to = 10.0 * error.to;
-    const Plot plot =
-        beginPlot(ui, "convergence", "How the error falls", size, levelAxis(report, cells), error);
+    const Plot plot = beginPlot(ui, "convergence", "How the error falls", size, levelAxis(report, cells),
+                                levelErrors(report, cells));
     std::vector<std::pair<ImU32, std::string>> key;
     for (const std::size_t i : cells) {
         const TradeCell& cell = report.cells[i];
         if (cell.levels.empty()) continue;
         drawLevels(ui, plot, report, cell);
-        const std::string power = cell.exponent ? fmt::format(": power {:.2f} +- {:.2f}",
+        const std::string power = cell.exponent ? fmt::format(": power {:.2f} \u00b1 {:.2f}",
                                                               cell.exponent->value, cell.exponent->error)
                                                 : "";
         key.emplace_back(tradeColor(ui.palette, *cell.setting.estimator),
                          fmt::format("{}{}", cell.name, power));
     }
-    drawKey(ui, plot, key);
+    drawKeyBelow(ui, plot, key);
     return plot;
 }
 

@@ -82,6 +82,7 @@ TradeCell cellFrom(const Json& json) {
     setting.facets = json.at("facets").get<double>();
     setting.index = static_cast<IndexMethod>(json.at("index").get<unsigned>());
     cell.name = json.at("name").get<std::string>();
+    cell.complete = json.at("complete").get<bool>();
     cell.refusal = json.at("refusal").get<std::string>();
     if (!cell.measured()) return cell;
     cell.passes = json.at("passes").get<std::uint64_t>();
@@ -93,6 +94,7 @@ TradeCell cellFrom(const Json& json) {
     cell.seconds = json.at("seconds").get<double>();
     cell.statistics.variance = uncertainFrom(json.at("variance"));
     cell.statistics.bias2 = uncertainFrom(json.at("bias2"));
+    cell.statistics.noise = numberFrom(json.at("noise"));
     cell.statistics.mse = uncertainFrom(json.at("groupMse"));
     cell.statistics.mean = numberFrom(json.at("mean"));
     for (const Json& level : json.at("levels"))
@@ -144,6 +146,7 @@ Json cellJson(const TradeCell& cell) {
     json["depth"] = cell.setting.maxDepth;
     json["facets"] = cell.setting.facets;
     json["index"] = static_cast<unsigned>(cell.setting.index);
+    json["complete"] = cell.complete;
     json["refusal"] = cell.refusal;
     if (!cell.measured()) return json;
     json["passes"] = cell.passes;
@@ -155,6 +158,7 @@ Json cellJson(const TradeCell& cell) {
     json["seconds"] = cell.seconds;
     json["variance"] = uncertainJson(cell.statistics.variance);
     json["bias2"] = uncertainJson(cell.statistics.bias2);
+    json["noise"] = jsonOf(cell.statistics.noise);
     json["groupMse"] = uncertainJson(cell.statistics.mse);
     json["mean"] = jsonOf(cell.statistics.mean);
     json["levels"] = Json::array();

@@ -30,8 +30,12 @@ std::string percent(double share) {
     return fmt::format("{:.3g} %", 100.0 * share);
 }
 
-std::string amount(const std::optional<double>& value) {
-    return value ? fmt::format("{:.3g}", *value) : "never";
+/// With ~ where few groups made the variance: what is rare may come dearer, or cheaper.
+std::string amount(const TradeCell& cell, const std::optional<double>& value) {
+    if (!value) return "never";
+    constexpr double kRough = 0.3;
+    const Uncertain variance = cell.statistics.variance;
+    return fmt::format("{}{:.3g}", variance.error > kRough * variance.value ? "~" : "", *value);
 }
 
 std::string factor(const std::optional<double>& value) {
@@ -102,6 +106,7 @@ TradeReport reportOf(const TradeFolder& trade) {
 std::string verdictWords(const TradeReport& report, std::size_t cell) {
     if (!report.cells[cell].measured()) return "refused";
     const TradeVerdict& verdict = report.verdicts[cell];
+    if (verdict.foundNothing) return "found no light";
     const bool rays = verdict.off[0] && *verdict.off[0] < kOnFront,
                seconds = verdict.off[1] && *verdict.off[1] < kOnFront;
     if (rays && seconds) return "on the front";
@@ -128,6 +133,7 @@ Json reportJson(const TradeFolder& trade, const TradeReport& report) {
             item["rmse"] = jsonOf(verdict.rmse);
             item["relativeBias"] = {jsonOf(verdict.bias), jsonOf(verdict.biasLow), jsonOf(verdict.biasHigh)};
             item["biased"] = verdict.biased;
+            item["foundNothing"] = verdict.foundNothing;
             item["passesToTarget"] = optionalJson(verdict.passesToTarget);
             item["byRays"] = lawJson(verdict, 0);
             item["bySeconds"] = lawJson(verdict, 1);
@@ -226,8 +232,8 @@ std::string reportText(const TradeFolder& trade, const TradeReport& report) {
         text += fmt::format("{:<{}} {:>9.3g} {:>8.3g} {:>8.3g} {:>20} {:>11} {:>9} {:>8} {:>7} {:>7}  {}\n",
                             cell.name, width, static_cast<double>(cell.rays),
                             cell.preparationSeconds + cell.seconds, 100.0 * verdict.relativeError,
-                            biasWords(verdict), exponentWords(cell), amount(verdict.toTarget[0]),
-                            amount(verdict.toTarget[1]), factor(verdict.off[0]), factor(verdict.off[1]),
+                            biasWords(verdict), exponentWords(cell), amount(cell, verdict.toTarget[0]),
+                            amount(cell, verdict.toTarget[1]), factor(verdict.off[0]), factor(verdict.off[1]),
                             verdictWords(report, i));
     }
     for (const auto& cost : kTradeCosts) text += frontText(report, cost);

@@ -15,12 +15,6 @@ struct Group {
     bool whole = true;
 };
 
-bool allAlike(const PassGroups& groups) {
-    for (const Picture& mean : groups.means)
-        if (mean != groups.means.front()) return false;
-    return true;
-}
-
 }  // namespace
 
 Picture chosenPixels(const Picture& all, const std::vector<std::uint32_t>& pixels) {
@@ -89,7 +83,7 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
         run.seconds = elapsed();
         if (run.groups.means.size() < PassGroups::kMost) break;
         if (level) level(run);
-        if (done || allAlike(run.groups)) break;
+        if (done) break;
         run.groups.joinNeighbours();
     }
     return run;

@@ -40,8 +40,8 @@ struct GroupedPasses {
 /// Told when all kMost groups of a size are there: every level of the convergence curve.
 using LevelTold = std::function<void(const GroupedPasses&)>;
 
-/// Passes 0, 1, ... of `estimator`, which keep `pixels` only (all if empty). Ends early where 32 groups have
-/// the same bits: there is no noise to measure. `stop` is that of the estimator's problem.
+/// Passes 0, 1, ... of `estimator`, which keep `pixels` only (all if empty). `stop` is that of the
+/// estimator's problem.
 GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
                         const std::vector<std::uint32_t>& pixels, const PassBudget& budget,
                         const StopQuestion& stop, const LevelTold& level = {});

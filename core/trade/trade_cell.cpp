@@ -28,6 +28,8 @@ TradeCell measureCell(const Problem& problem, const TradeSetting& setting, std::
     TradeCell cell;
     cell.setting = setting;
     cell.name = nameOf(setting, askedDepth);
+    const Scene& scene = problem.index.scene();
+    cell.complete = setting.estimator->paths(scene, bitOf(problem.sensor)) == allPaths(scene);
     const auto start = std::chrono::steady_clock::now();
     const std::unique_ptr<Estimator> estimator = makeOrTell(problem, setting, cell.refusal);
     cell.preparationSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -10,8 +10,9 @@ namespace halfdisk {
 /// One setting, measured.
 struct TradeCell {
     TradeSetting setting;
-    std::string name;     ///< see nameOf
-    std::string refusal;  ///< why nothing was measured; empty: it was
+    std::string name;      ///< see nameOf
+    bool complete = true;  ///< it carries every kind of path that the scene has to this sensor
+    std::string refusal;   ///< why nothing was measured; empty: it was
     std::uint64_t passes = 0, groups = 0;
     std::uint64_t rays = 0, cut = 0, nonFinite = 0;
     double preparationSeconds = 0.0;

@@ -19,8 +19,10 @@ std::size_t at(TradeCost cost) {
 }
 
 /// Whether theory gives it no bias at all: nothing is left out, and the scene is the one that is asked for.
-bool claimsNone(const TradeSetting& setting, const TradeTruth& truth) {
-    return setting.estimator->bias.empty() && setting.maxDepth == truth.askedDepth && setting.facets == 1.0;
+bool claimsNone(const TradeCell& cell, const TradeTruth& truth) {
+    const TradeSetting& setting = cell.setting;
+    return cell.complete && setting.estimator->bias.empty() && setting.maxDepth == truth.askedDepth &&
+           setting.facets == 1.0;
 }
 
 /// Its law if V and bias^2 are so many standard errors off.
@@ -30,11 +32,18 @@ TradeLaw lawOf(const TradeCell& cell, const TradeTruth& truth, bool biased, doub
     TradeLaw law;
     const double spread = standardErrors * measured.variance.error;
     law.variance = std::max(measured.variance.value + spread, 0.05 * measured.variance.value) / light2;
-    if (biased || !claimsNone(cell.setting, truth))
+    if (biased || !claimsNone(cell, truth))
         law.bias2 = std::max(0.0, measured.bias2.value + standardErrors * measured.bias2.error) / light2;
     law.preparation[at(TradeCost::seconds)] = cell.preparationSeconds;
     law.perPass[at(TradeCost::rays)] = cell.raysPerPass();
     law.perPass[at(TradeCost::seconds)] = cell.secondsPerPass();
+    return law;
+}
+
+TradeLaw carefulLaw(const TradeCell& cell, const TradeTruth& truth, bool biased) {
+    TradeLaw law = lawOf(cell, truth, biased, 1.0);
+    if (biased || !claimsNone(cell, truth))
+        law.bias2 = std::max(0.0, bias2High(cell.statistics, cell.groups)) / (truth.light * truth.light);
     return law;
 }
 
@@ -48,13 +57,14 @@ TradeVerdict verdictOf(const TradeCell& cell, const TradeTruth& truth, double ta
     TradeVerdict verdict;
     const Uncertain bias2 = cell.statistics.bias2;
     const double light = truth.light, passes = static_cast<double>(cell.passes);
-    const double half = studentT(static_cast<double>(cell.groups) - 1.0) * bias2.error;
     const auto share = [&](double square) { return std::sqrt(std::max(0.0, square)) / light; };
+    verdict.foundNothing = !(cell.statistics.mean > 0.0);
     verdict.biased = isBiased(cell, truth);
     verdict.bias = share(bias2.value);
-    verdict.biasLow = share(bias2.value - half);
-    verdict.biasHigh = share(bias2.value + half);
+    verdict.biasLow = share(bias2Low(cell.statistics, cell.groups));
+    verdict.biasHigh = share(bias2High(cell.statistics, cell.groups));
     verdict.law = lawOf(cell, truth, verdict.biased, 0.0);
+    verdict.careful = carefulLaw(cell, truth, verdict.biased);
     verdict.relativeError = std::sqrt(verdict.law.bias2 + verdict.law.variance / passes);
     verdict.rmse = verdict.relativeError * light;
     verdict.mse = verdict.rmse * verdict.rmse;
@@ -242,7 +252,7 @@ std::optional<CheapestCell> cheapest(const TradeReport& report, double error, Tr
 std::optional<TradeChoice> choose(const TradeReport& report, const TradeWish& wish) {
     // What is made as small as it can be: cost for an error, or error for a cost.
     const auto valueOf = [&](std::size_t i) {
-        const TradeLaw& law = report.verdicts[i].law;
+        const TradeLaw& law = report.verdicts[i].careful;
         if (wish.relativeError) return law.costOf(*wish.relativeError, wish.cost);
         return law.errorFor(wish.budget, wish.cost);
     };

@@ -19,9 +19,9 @@ inline constexpr std::array<Named<TradeCost>, 2> kTradeCosts{{
 inline constexpr double kLeastTradeError = 1e-3, kMostTradeError = 1.0;
 std::vector<double> tradeErrors();
 
-/// The law of one setting: RMSE^2 = bias^2 + V / passes. Where an estimator says that it has no bias, one
-/// counts only if it is sure (kSureBias standard errors, and more than an exact reference's own error); else
-/// what was measured counts.
+/// The law of one setting: RMSE^2 = bias^2 + V / passes. Where an estimator says that it has no bias, and
+/// carries every path, one counts only if it is sure (kSureBias standard errors, and more than an exact
+/// reference's own error); else what was measured counts.
 struct TradeLaw {
     double bias2 = 0.0, variance = 0.0;     ///< as shares of the squared light
     double preparation[2]{}, perPass[2]{};  ///< by TradeCost
@@ -39,8 +39,9 @@ inline constexpr double kSureTime = 1.25;  ///< times vary by so much from run t
 /// What is said of one cell; empty for those that were refused.
 struct TradeVerdict {
     TradeLaw law;
-    bool biased = false;                   ///< for sure: see TradeLaw
-    double bias = 0.0;                     ///< relative: sqrt of bias^2 where that is above zero
+    TradeLaw careful;     ///< the same with the upper ends of what is not known: by it settings are chosen
+    bool biased = false;  ///< for sure: see TradeLaw
+    double bias = 0.0;    ///< relative: sqrt of bias^2 where that is above zero
     double biasLow = 0.0, biasHigh = 0.0;  ///< 95 %
     double relativeError = 0.0;            ///< of all passes of the budget together
     double rmse = 0.0, mse = 0.0;          ///< of them, in the sensor's unit
@@ -51,6 +52,7 @@ struct TradeVerdict {
     /// Least factor over all errors by which it is dearer than the cheapest: 1 is on the front. Nothing: it
     /// reaches none of the errors.
     std::array<std::optional<double>, 2> off;
+    bool foundNothing = false;  ///< black, though there is light: too rare for the budget, or never found
     bool nobody = false;  ///< off by more than the confidence intervals in both costs: dominated everywhere
 };
 
@@ -106,7 +108,8 @@ struct TradeChoice {
     std::optional<std::size_t> runnerUp;                    ///< the best of another estimator
     double runnerUpFactor = 1.0;                            ///< by which that one costs more, or errs more
 };
-/// Nothing if no setting can.
+/// Ranked by the careful laws, so that a setting is chosen for an error only if its bias is known to be
+/// smaller; predicted by the laws themselves. Nothing if no setting can.
 std::optional<TradeChoice> choose(const TradeReport& report, const TradeWish& wish);
 
 /// Does what was chosen, with another seed, and tells what then happened. Throws Stopped.

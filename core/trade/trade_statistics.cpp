@@ -68,7 +68,39 @@ double jackknife(const std::vector<double>& without) {
     return squares * (n - 1.0) / n;
 }
 
+/// Root of the sum of all squared covariances of the pixels of the groups' mean, over their number: by the
+/// products of different groups' deviations, whose noise is independent.
+double effectiveNoise(const std::vector<Picture>& groups) {
+    const std::size_t G = groups.size(), pixels = groups.front().size();
+    std::vector<Picture> away = groups;
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+        Rgb mean{0.0};
+        for (const Picture& group : groups) mean += group[pixel] / static_cast<double>(G);
+        for (Picture& group : away) group[pixel] -= mean;
+    }
+    double squares = 0.0;
+    for (std::size_t g = 0; g < G; ++g)
+        for (std::size_t h = g + 1; h < G; ++h) {
+            double product = 0.0;
+            for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+                product += glm::dot(away[g][pixel], away[h][pixel]);
+            squares += product * product;
+        }
+    const double n = static_cast<double>(G), pairs = n * (n - 1.0) / 2.0;
+    return std::sqrt(squares / pairs) / (n * 3.0 * static_cast<double>(pixels));
+}
+
 }  // namespace
+
+double bias2Low(const TradeStatistics& told, std::uint64_t groups) {
+    return told.bias2.value - studentT(static_cast<double>(groups) - 1.0) * told.bias2.error;
+}
+
+double bias2High(const TradeStatistics& told, std::uint64_t groups) {
+    constexpr double kHidden = 4.0;
+    return told.bias2.value + studentT(static_cast<double>(groups) - 1.0) * told.bias2.error +
+           kHidden * told.noise;
+}
 
 double TradeReference::light() const {
     double sum = 0.0;
@@ -110,6 +142,7 @@ TradeStatistics statisticsOf(const PassGroups& groups, const TradeReference& ref
 
     TradeStatistics told;
     told.mean = s.mean;
+    told.noise = effectiveNoise(groups.means);
     told.variance = {each * (s.Q - s.S2 / G) / (G - 1.0) / s.n, each * std::sqrt(jackknife(variances))};
     told.bias2 = {(s.S2 - s.Q) / (G * (G - 1.0)) / s.n - ofReference,
                   std::sqrt(jackknife(biases) + referenceVariance)};

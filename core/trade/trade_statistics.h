@@ -32,9 +32,17 @@ double studentT(double degrees);
 struct TradeStatistics {
     Uncertain variance;  ///< V, of one pass
     Uncertain bias2;     ///< of the picture that infinitely many passes give; may come out below 0
+    double noise = 0.0;  ///< what the mean's own noise can hide of bias2: see bias2High
     Uncertain mse;       ///< of one group's mean against the reference, less the reference's own
     double mean = 0.0;   ///< of the estimate
 };
+
+/// Ends of a 95 % interval. A square's spread is largest where it is told largest: where noise made the bias
+/// look small, its standard error is too small as well. Of a single number b with noise v the upper end of
+/// b^2 is (|b| + 1.96 sqrt v)^2, which lies 4 to 5 v above value + t error; of many pixels v is their
+/// effective noise, the root of the sum of all squared covariances.
+double bias2Low(const TradeStatistics& told, std::uint64_t groups);
+double bias2High(const TradeStatistics& told, std::uint64_t groups);
 
 /// Unbiased, whatever pixels share: V from the groups' spread; bias^2 as a U-statistic, the mean over pairs
 /// of different groups of the product of their differences from the reference, less the reference's own error

@@ -19,6 +19,23 @@ std::string errorText(const ExtremeSide& side) {
     return side.asked ? errorText(side.error) : std::string("-");
 }
 
+constexpr std::size_t kTextWidth = 112, kTextIndent = 6;
+
+/// In lines that fit, each below the cell's id.
+std::string indented(std::string_view words) {
+    std::string text;
+    while (!words.empty()) {
+        std::size_t end = words.size();
+        if (end > kTextWidth - kTextIndent) {
+            end = words.rfind(' ', kTextWidth - kTextIndent);
+            if (end == std::string_view::npos) end = kTextWidth - kTextIndent;
+        }
+        text += fmt::format("{:<{}}{}\n", "", kTextIndent, words.substr(0, end));
+        words.remove_prefix(std::min(words.size(), end + 1));
+    }
+    return text;
+}
+
 /// `12/3/0`, or nothing where no ray was asked.
 std::string faultsText(const ExtremeCounts& counts) {
     if (counts.rays == 0 && counts.faults() == 0) return "-";
@@ -61,8 +78,8 @@ std::string extremesText(const std::vector<ExtremeLine>& lines, std::size_t aske
                             errorText(line.cell->bound), faultsText(ours.counts), errorText(naiveFloat),
                             faultsText(naiveFloat.counts), errorText(naiveDouble),
                             faultsText(naiveDouble.counts));
-        if (!words.empty()) text += fmt::format("{:<6}{}\n", "", words);
-        if (!fault.empty()) text += fmt::format("{:<6}FAULT: {}\n", "", fault);
+        text += indented(words);
+        if (!fault.empty()) text += indented(fmt::format("FAULT: {}", fault));
         held += line.holds ? 1 : 0;
         single += naiveFloat.asked && holds(*line.cell, naiveFloat) ? 1 : 0;
         twice += naiveDouble.asked && holds(*line.cell, naiveDouble) ? 1 : 0;

@@ -11,6 +11,7 @@ namespace {
 /// `2.2e-16`; `0` is exactly right.
 std::string errorText(double error) {
     if (error == 0.0) return "0";
+    if (std::isnan(error)) return "NaN";  // of either sign
     return std::isfinite(error) ? fmt::format("{:.1e}", error) : fmt::format("{}", error);
 }
 

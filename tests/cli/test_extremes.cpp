@@ -2,11 +2,13 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <sstream>
 
 #include "app/extremes_report.h"
 #include "result_files.h"
 #include "run_program.h"
+#include "running_program.h"
 
 using namespace halfdisk_test;
 
@@ -69,4 +71,18 @@ TEST_CASE("scene check tells whether float would hold the scene") {
     CHECK(table.out.find("decided in double") != std::string::npos);
     const Json object = Json::parse(runProgram({"scene", "check", sceneFile("room.toml"), "--json"}).out);
     CHECK(object["float"]["bentWalls"] == 0);
+}
+
+TEST_CASE("extremes: Ctrl-C keeps the lines that are done") {
+    RunningProgram program({"extremes", "--only", "radiance,samples,scale", "--json"});
+    // The rows of scale come first and take less than this, that of 1e9 samples much more.
+    REQUIRE(program.waitUntilBusy(1.5));
+    program.signal(SIGINT);
+    const Outcome outcome = program.waitForEnd();
+    CHECK(outcome.exitCode == 130);
+    const Json object = Json::parse(outcome.out);
+    CHECK(object["complete"] == false);
+    CHECK(object["cells"].size() >= 1);
+    CHECK(object["cells"].size() < 11);
+    CHECK(object["cells"][0]["id"] == "scale:1e-6");
 }

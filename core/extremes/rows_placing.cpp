@@ -38,6 +38,26 @@ ExtremeCell furnaceCell(std::string id, std::string title, Placement placement) 
             }};
 }
 
+/// So many walls that single precision proposes those which double precision then decides on (core/index).
+ExtremeCell manyWallsCell(std::string id, std::string title, Placement placement) {
+    return {std::move(id),
+            std::move(title),
+            "E, relative",
+            furnaceBound(FurnaceQuestion{}.depth),
+            kFurnaceWhy,
+            [placement](const StopQuestion& stop) {
+                constexpr int kWalls = 1000;
+                std::vector<Vec2> points;
+                for (int k = 0; k < kWalls; ++k)
+                    points.emplace_back(std::cos(2.0 * kPi * k / kWalls), std::sin(2.0 * kPi * k / kWalls));
+                FurnaceQuestion question;
+                question.walls = 4;
+                SurveyRays rays;
+                rays.count = 8 * kWalls;
+                return furnaceOutcome(furnaceOf(points, question.albedo), placement, question, rays, stop);
+            }};
+}
+
 /// A lamp of 1 m, 1 m above a floor of 4 m; P is 0.7 m beside its middle.
 Scene lampOverFloor() {
     Scene scene = furnaceOf({{-2.0, 0.0}, {2.0, 0.0}}, 0.5, 0.0);
@@ -89,6 +109,13 @@ void addPlacingRows(std::vector<ExtremeCell>& cells) {
         cells.push_back(furnaceCell("offset:" + powerText(offset),
                                     "a closed room " + powerText(offset) + " times its size away",
                                     {1.0, offset}));
+    for (const double scale : {1e-6, 1e6})
+        cells.push_back(manyWallsCell("scale-many:" + powerText(scale),
+                                      "a room of 1000 walls scaled by " + powerText(scale), {scale, 0.0}));
+    for (const double offset : {1e3, 1e5})
+        cells.push_back(manyWallsCell("offset-many:" + powerText(offset),
+                                      "a room of 1000 walls " + powerText(offset) + " times its size away",
+                                      {1.0, offset}));
     for (const double offset : {1e3, 1e5}) cells.push_back(lampCell(offset));
 }
 

@@ -47,7 +47,8 @@ Json sideJson(const ExtremeSide& side) {
     if (!side.asked) return nullptr;
     return Json{{"error", jsonOf(side.error)},        {"rays", side.counts.rays},
                 {"leaks", side.counts.leaks},         {"selfHits", side.counts.selfHits},
-                {"nonFinite", side.counts.nonFinite}, {"place", jsonOf(side.counts.place)}};
+                {"nonFinite", side.counts.nonFinite}, {"early", side.counts.early},
+                {"place", jsonOf(side.counts.place)}};
 }
 
 }  // namespace

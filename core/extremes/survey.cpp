@@ -111,6 +111,10 @@ ExtremeCounts survey(const Scene& scene, const Placement& placement, const Surve
             continue;
         }
         const Long x = answer.x / scale - shift.x, y = answer.y / scale - shift.y;
+        if (answer.segment != truth.segment && std::hypot(x - truth.x, y - truth.y) > 1e-6L * size) {
+            ++counts.early;
+            continue;
+        }
         const Vec2 met = frontNormal(scene.segments[truth.segment]);
         const Long away = std::hypot(x - truth.x, y - truth.y) * std::abs(glm::dot(met, direction)) / size;
         counts.place = std::max(counts.place, static_cast<double>(away));
@@ -141,6 +145,7 @@ void ExtremeCounts::merge(const ExtremeCounts& other) {
     leaks += other.leaks;
     selfHits += other.selfHits;
     nonFinite += other.nonFinite;
+    early += other.early;
     place = std::max(place, other.place);
     light = std::max(light, other.light);
 }

@@ -16,9 +16,11 @@ struct ExtremeCounts {
     std::uint64_t leaks = 0;      ///< met nothing, a wall's back, or something beyond the wall that is there
     std::uint64_t selfHits = 0;   ///< met the straight wall that they leave
     std::uint64_t nonFinite = 0;  ///< NaN or infinity where there is a number
-    double place = 0.0;           ///< of the others, how far at most they pass beside the true hit, in sizes
-                         ///< of the scene (off along a wall that they meet at a slant, they are more)
-    double light = 0.0;  ///< relative error of the light seen by all rays together
+    std::uint64_t early = 0;  ///< met a wall that the true ray passes; no fault: next to an edge a rounding
+                              ///< decides
+    double place = 0.0;       ///< of the others, how far at most they pass beside the true hit, in sizes
+                              ///< of the scene (off along a wall that they meet at a slant, they are more)
+    double light = 0.0;       ///< relative error of the light seen by all rays together
 
     std::uint64_t faults() const { return leaks + selfHits + nonFinite; }
     /// Of the rays, 0 ... 1.

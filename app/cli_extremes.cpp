@@ -63,9 +63,15 @@ std::vector<ExtremeLine> measureCells(const std::vector<ExtremeCell>& cells, boo
     return lines;
 }
 
+std::vector<ExtremeCell> cellsOfFile(const std::string& file) {
+    const Scene scene = expandScene(loadScene(file));
+    if (scene.segments.empty())
+        throw InputError(file, "the scene has no wall, expected one at least: rays start at walls");
+    return extremeCellsOf(scene);
+}
+
 int runExtremes(const ExtremesTexts& texts) {
-    const auto cells = chosenCells(
-        texts.file.empty() ? extremeCells() : extremeCellsOf(expandScene(loadScene(texts.file))), texts.only);
+    const auto cells = chosenCells(texts.file.empty() ? extremeCells() : cellsOfFile(texts.file), texts.only);
     if (texts.list) {
         writeOutput(listText(cells));
         return kExitSuccess;

@@ -11,12 +11,30 @@ namespace {
 /// `2.2e-16`; `0` is exactly right.
 std::string errorText(double error) {
     if (error == 0.0) return "0";
+    if (std::isnan(error)) return "NaN";  // of either sign
     return std::isfinite(error) ? fmt::format("{:.1e}", error) : fmt::format("{}", error);
 }
 
 /// Nothing of a side that was not asked.
 std::string errorText(const ExtremeSide& side) {
     return side.asked ? errorText(side.error) : std::string("-");
+}
+
+constexpr std::size_t kTextWidth = 112, kTextIndent = 6;
+
+/// In lines that fit, each below the cell's id.
+std::string indented(std::string_view words) {
+    std::string text;
+    while (!words.empty()) {
+        std::size_t end = words.size();
+        if (end > kTextWidth - kTextIndent) {
+            end = words.rfind(' ', kTextWidth - kTextIndent);
+            if (end == std::string_view::npos) end = kTextWidth - kTextIndent;
+        }
+        text += fmt::format("{:<{}}{}\n", "", kTextIndent, words.substr(0, end));
+        words.remove_prefix(std::min(words.size(), end + 1));
+    }
+    return text;
 }
 
 /// `12/3/0`, or nothing where no ray was asked.
@@ -29,7 +47,8 @@ Json sideJson(const ExtremeSide& side) {
     if (!side.asked) return nullptr;
     return Json{{"error", jsonOf(side.error)},        {"rays", side.counts.rays},
                 {"leaks", side.counts.leaks},         {"selfHits", side.counts.selfHits},
-                {"nonFinite", side.counts.nonFinite}, {"place", jsonOf(side.counts.place)}};
+                {"nonFinite", side.counts.nonFinite}, {"early", side.counts.early},
+                {"place", jsonOf(side.counts.place)}};
 }
 
 }  // namespace
@@ -61,8 +80,8 @@ std::string extremesText(const std::vector<ExtremeLine>& lines, std::size_t aske
                             errorText(line.cell->bound), faultsText(ours.counts), errorText(naiveFloat),
                             faultsText(naiveFloat.counts), errorText(naiveDouble),
                             faultsText(naiveDouble.counts));
-        if (!words.empty()) text += fmt::format("{:<6}{}\n", "", words);
-        if (!fault.empty()) text += fmt::format("{:<6}FAULT: {}\n", "", fault);
+        text += indented(words);
+        if (!fault.empty()) text += indented(fmt::format("FAULT: {}", fault));
         held += line.holds ? 1 : 0;
         single += naiveFloat.asked && holds(*line.cell, naiveFloat) ? 1 : 0;
         twice += naiveDouble.asked && holds(*line.cell, naiveDouble) ? 1 : 0;

@@ -6,8 +6,9 @@ namespace halfdisk {
 
 std::vector<ExtremeCell> extremeCells() {
     std::vector<ExtremeCell> cells;
-    for (const auto& add : {addPlacingRows, addWallRows, addMeetingRows, addLightRows, addSeriesRows,
-                            addSampleRows, addGlassRows, addLobeRows, addRadianceRows, addSparseRows})
+    for (const auto& add :
+         {addPlacingRows, addWallRows, addMeetingRows, addLightRows, addSeriesRows, addSampleRows,
+          addGlassRows, addChainRows, addLobeRows, addRadianceRows, addSparseRows})
         add(cells);
     return cells;
 }

@@ -101,15 +101,17 @@ double naiveFurnaceError(const Scene& furnace, const FurnaceQuestion& question, 
                                           : naiveError<double>(furnace, question, policy, stop);
 }
 
-ExtremeOutcome furnaceOutcome(const Scene& furnace, const Placement& placing, const FurnaceQuestion& question,
-                              const SurveyRays& rays, const StopQuestion& stop) {
-    const Scene there = placed(furnace, placing);
+ExtremeOutcome furnaceOutcome(const Scene& furnace, const Placement& placement,
+                              const FurnaceQuestion& question, const SurveyRays& rays,
+                              const StopQuestion& stop) {
+    const Scene there = placed(furnace, placement);
     const auto naive = [&](Precision precision) {
-        return ExtremeSide{naiveFurnaceError(there, question, precision, EpsilonPolicy::fixed, stop),
-                           surveyNaive(furnace, placing, rays, precision, EpsilonPolicy::fixed, 1e-4, stop)};
+        return ExtremeSide{
+            naiveFurnaceError(there, question, precision, EpsilonPolicy::fixed, stop),
+            surveyNaive(furnace, placement, rays, precision, EpsilonPolicy::fixed, 1e-4, stop)};
     };
     ExtremeOutcome outcome;
-    outcome.ours = {furnaceError(there, question, stop), surveyOurs(furnace, placing, rays, stop)};
+    outcome.ours = {furnaceError(there, question, stop), surveyOurs(furnace, placement, rays, stop)};
     outcome.naiveFloat = naive(Precision::single);
     outcome.naiveDouble = naive(Precision::twice);
     return outcome;

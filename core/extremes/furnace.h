@@ -28,8 +28,9 @@ double naiveFurnaceError(const Scene& furnace, const FurnaceQuestion& question, 
                          EpsilonPolicy policy = EpsilonPolicy::fixed, const StopQuestion& stop = {});
 
 /// All three: errors in the placed furnace, and counts of rays from its walls.
-ExtremeOutcome furnaceOutcome(const Scene& furnace, const Placement& placing, const FurnaceQuestion& question,
-                              const SurveyRays& rays, const StopQuestion& stop);
+ExtremeOutcome furnaceOutcome(const Scene& furnace, const Placement& placement,
+                              const FurnaceQuestion& question, const SurveyRays& rays,
+                              const StopQuestion& stop);
 
 /// What rounding may add up to: see the definition.
 double furnaceBound(std::uint32_t depth);

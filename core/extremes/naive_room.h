@@ -67,9 +67,14 @@ struct NaiveRoom {
         for (const Segment& s : scene.segments) walls.push_back({rounded(s.a), rounded(s.b)});
     }
 
-    /// u of a wall: 0 at a, 1 at b.
+    /// u of a wall: 0 at a, 1 at b. The bounded policy keeps away from both ends, as SegmentIndex::pointOn.
     NaivePoint<Real> pointOn(std::uint32_t wall, Real u) const {
         const auto& [a, b] = walls[wall];
+        if (policy == EpsilonPolicy::ours) {
+            const Real ex = b.x - a.x, ey = b.y - a.y, length = std::sqrt(ex * ex + ey * ey);
+            const Real margin = std::min(Real(0.5), 2048 * shiftOf(wall) / length);
+            u = std::clamp(u, margin, 1 - margin);
+        }
         return {a.x + u * (b.x - a.x), a.y + u * (b.y - a.y)};
     }
 
@@ -81,7 +86,7 @@ struct NaiveRoom {
         const Real c = std::cos(theta), s = std::sin(theta);
         NaiveRay<Real> ray{P, {c * rightX - s * rightY, c * rightY + s * rightX}};
         if (policy != EpsilonPolicy::ours) return ray;
-        const Real shift = 8 * std::numeric_limits<Real>::epsilon() * std::max(largest(a), largest(b));
+        const Real shift = shiftOf(wall);
         ray.origin.x -= shift * rightY;
         ray.origin.y += shift * rightX;
         ray.skip = wall;
@@ -101,6 +106,13 @@ struct NaiveRoom {
 
  private:
     static Real largest(NaivePoint<Real> p) { return std::max(std::abs(p.x), std::abs(p.y)); }
+
+    /// Bound (m) on how far a rounded point of a wall can lie from its line; twice over
+    /// (core/index/crossing.h).
+    Real shiftOf(std::uint32_t wall) const {
+        return 8 * std::numeric_limits<Real>::epsilon() *
+               std::max(largest(walls[wall].a), largest(walls[wall].b));
+    }
 
     Real leastDistance(const NaiveRay<Real>& ray) const {
         if (policy == EpsilonPolicy::fixed) return fixed;

@@ -5,13 +5,17 @@
 
 namespace halfdisk {
 
+/// Of one operation in double, relative: h = 2^-53.
+inline constexpr double kRounding = std::numeric_limits<double>::epsilon() / 2.0;
+
 void addPlacingRows(std::vector<ExtremeCell>& cells);   ///< scale, offset
 void addWallRows(std::vector<ExtremeCell>& cells);      ///< lengths, angles, gaps, corners
 void addMeetingRows(std::vector<ExtremeCell>& cells);   ///< walls on each other, crossing, a million of them
 void addLightRows(std::vector<ExtremeCell>& cells);     ///< lamps in a wall's plane, touching it
 void addSeriesRows(std::vector<ExtremeCell>& cells);    ///< albedo, depth
 void addSampleRows(std::vector<ExtremeCell>& cells);    ///< N
-void addGlassRows(std::vector<ExtremeCell>& cells);     ///< index of refraction, critical angle, chains
+void addGlassRows(std::vector<ExtremeCell>& cells);     ///< index of refraction, critical angle
+void addChainRows(std::vector<ExtremeCell>& cells);     ///< total reflections in a row
 void addLobeRows(std::vector<ExtremeCell>& cells);      ///< roughness
 void addRadianceRows(std::vector<ExtremeCell>& cells);  ///< from faint to bright
 void addSparseRows(std::vector<ExtremeCell>& cells);    ///< one segment, none, no light

@@ -4,12 +4,11 @@
 #include "core/estimate.h"
 #include "core/exact.h"
 #include "core/extremes/furnace.h"
+#include "core/extremes/naive_lamp.h"
 #include "core/extremes/rows.h"
 
 namespace halfdisk {
 namespace {
-
-constexpr double kRounding = std::numeric_limits<double>::epsilon() / 2.0;
 
 /// A floor from (0, 0) to (1, 0) and a lamp. P is on the floor.
 Scene floorAndLamp(Vec2 a, Vec2 b) {
@@ -18,19 +17,6 @@ Scene floorAndLamp(Vec2 a, Vec2 b) {
     scene.segments[1].b = b;
     scene.segments[1].emission = Rgb(1.0);
     return scene;
-}
-
-/// Difference of the sines of both ends, in `Real`.
-template <class Real>
-double naiveSines(const Scene& scene, double u, double exact) {
-    const NaiveRoom<Real> room(scene);
-    const auto P = room.pointOn(0, static_cast<Real>(u));
-    const auto sine = [&](const NaivePoint<Real>& end) {
-        const Real x = end.x - P.x, y = end.y - P.y;
-        return x / std::sqrt(x * x + y * y);
-    };
-    const Real E = std::abs(sine(room.walls[1].a) - sine(room.walls[1].b));
-    return std::abs(static_cast<double>(E) - exact) / exact;
 }
 
 /// castRay itself, by both ways to find the lamp: finite, and right within 5 standard errors.
@@ -57,8 +43,8 @@ ExtremeOutcome lampOutcome(const Scene& scene, double u, double exact) {
     const double formula = segmentIrradiance(at.P, at.N, scene.segments[1]).x;
     outcome.ours.error = std::max(std::abs(arcs - exact), std::abs(formula - exact)) / exact;
     outcome.fault = faultOfSamples(index, at, exact, outcome.ours.counts.nonFinite);
-    outcome.naiveFloat.error = naiveSines<float>(scene, u, exact);
-    outcome.naiveDouble.error = naiveSines<double>(scene, u, exact);
+    outcome.naiveFloat.error = naiveLampError<float>(at.P, scene.segments[1], exact);
+    outcome.naiveDouble.error = naiveLampError<double>(at.P, scene.segments[1], exact);
     return outcome;
 }
 

@@ -8,8 +8,6 @@
 namespace halfdisk {
 namespace {
 
-constexpr double kRounding = std::numeric_limits<double>::epsilon() / 2.0;
-
 /// Integral of cos^n for a whole even n: pi times (2k - 1) / 2k up to k = n / 2. In long double off by 5e5
 /// roundings of 2^-64 for n = 1e6: 3e-14.
 long double trueIntegral(std::uint64_t n) {

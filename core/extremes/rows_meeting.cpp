@@ -70,20 +70,16 @@ ExtremeOutcome coincident(const StopQuestion&) {
 
 /// Four walls that reach beyond each other's crossings, like #.
 Scene crossingRoom() {
-    return [] {
-        Scene scene = furnaceOf({{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}}, 0.5);
-        const Vec2 ends[4][2] = {{{-1.0, 0.13}, {2.0, -0.17}},
-                                 {{0.9, -1.0}, {1.1, 2.0}},
-                                 {{2.0, 1.06}, {-1.0, 0.93}},
-                                 {{0.11, 2.0}, {-0.07, -1.0}}};
-        for (int i = 0; i < 4; ++i) scene.segments[i].a = ends[i][0], scene.segments[i].b = ends[i][1];
-        return scene;
-    }();
-}
-
-double lostShare(const ExtremeCounts& counts) {
-    return static_cast<double>(counts.faults()) /
-           static_cast<double>(std::max<std::uint64_t>(1, counts.rays));
+    const Vec2 ends[4][2] = {{{-1.0, 0.13}, {2.0, -0.17}},
+                             {{0.9, -1.0}, {1.1, 2.0}},
+                             {{2.0, 1.06}, {-1.0, 0.93}},
+                             {{0.11, 2.0}, {-0.07, -1.0}}};
+    Scene scene = furnaceOf(std::vector<Vec2>(4), 0.5);
+    for (std::size_t i = 0; i < 4; ++i) {
+        scene.segments[i].a = ends[i][0];
+        scene.segments[i].b = ends[i][1];
+    }
+    return scene;
 }
 
 ExtremeOutcome crossing(const StopQuestion& stop) {
@@ -95,7 +91,7 @@ ExtremeOutcome crossing(const StopQuestion& stop) {
     outcome.naiveDouble.counts =
         surveyNaive(scene, {}, {}, Precision::twice, EpsilonPolicy::fixed, 1e-4, stop);
     for (ExtremeSide* side : {&outcome.ours, &outcome.naiveFloat, &outcome.naiveDouble})
-        side->error = lostShare(side->counts);
+        side->error = side->counts.lostShare();
     return outcome;
 }
 
@@ -150,7 +146,7 @@ ExtremeSide naiveCircle() {
             ++side.counts.leaks;
         }
     }
-    side.error = lostShare(side.counts);
+    side.error = side.counts.lostShare();
     return side;
 }
 

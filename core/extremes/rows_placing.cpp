@@ -4,6 +4,7 @@
 #include "core/estimate.h"
 #include "core/exact.h"
 #include "core/extremes/furnace.h"
+#include "core/extremes/naive_lamp.h"
 #include "core/extremes/rows.h"
 
 namespace halfdisk {
@@ -13,27 +14,47 @@ constexpr const char* kFurnaceWhy =
     "(4 D + 16) / 2 roundings for D bounces; one lost ray of 1200 would be 1e-5 and more";
 
 /// How well hits are placed, and what the product's own method would make of floats.
-std::string placeWords(const Scene& furnace, const Placement& placing, const ExtremeCounts& ours,
+std::string placeWords(const Scene& furnace, const Placement& placement, const ExtremeCounts& ours,
                        const StopQuestion& stop) {
-    if (placing.offset == 0.0) return {};
+    if (placement.offset == 0.0) return {};
     const ExtremeCounts single =
-        surveyNaive(furnace, placing, {}, Precision::single, EpsilonPolicy::ours, 1e-4, stop);
-    return "hits are off by up to " + shortText(ours.place) + " of the room; in float, by the same method, " +
-           shortText(single.place) + ", and " + std::to_string(single.leaks) +
-           " leak: the product decides in double";
+        surveyNaive(furnace, placement, {}, Precision::single, EpsilonPolicy::ours, 1e-4, stop);
+    return "rays pass the true hit by up to " + shortText(ours.place) +
+           " of the room; in float, by the same method, " + shortText(single.place) + ", and " +
+           std::to_string(single.leaks) + " leak: the product decides in double";
 }
 
-ExtremeCell furnaceCell(std::string id, std::string title, Placement placing) {
+ExtremeCell furnaceCell(std::string id, std::string title, Placement placement) {
     return {std::move(id),
             std::move(title),
             "E, relative",
             furnaceBound(FurnaceQuestion{}.depth),
             kFurnaceWhy,
-            [placing](const StopQuestion& stop) {
+            [placement](const StopQuestion& stop) {
                 const Scene furnace = furnaceOf(furnacePolygon(), FurnaceQuestion{}.albedo);
-                ExtremeOutcome outcome = furnaceOutcome(furnace, placing, {}, {}, stop);
-                outcome.words = placeWords(furnace, placing, outcome.ours.counts, stop);
+                ExtremeOutcome outcome = furnaceOutcome(furnace, placement, {}, {}, stop);
+                outcome.words = placeWords(furnace, placement, outcome.ours.counts, stop);
                 return outcome;
+            }};
+}
+
+/// So many walls that single precision proposes those which double precision then decides on (core/index).
+ExtremeCell manyWallsCell(std::string id, std::string title, Placement placement) {
+    return {std::move(id),
+            std::move(title),
+            "E, relative",
+            furnaceBound(FurnaceQuestion{}.depth),
+            kFurnaceWhy,
+            [placement](const StopQuestion& stop) {
+                constexpr int kWalls = 1000;
+                std::vector<Vec2> points;
+                for (int k = 0; k < kWalls; ++k)
+                    points.emplace_back(std::cos(2.0 * kPi * k / kWalls), std::sin(2.0 * kPi * k / kWalls));
+                FurnaceQuestion question;
+                question.walls = 4;
+                SurveyRays rays;
+                rays.count = 8 * kWalls;
+                return furnaceOutcome(furnaceOf(points, question.albedo), placement, question, rays, stop);
             }};
 }
 
@@ -47,25 +68,12 @@ Scene lampOverFloor() {
 }
 constexpr double kPlace = 0.675;  // u of P on the floor
 
-/// E on an upward floor of the two-pointed lamp, as one finds it in books: the difference of two sines.
-template <class Real>
-double naiveLampError(const Scene& there, double exact) {
-    const NaiveRoom<Real> room(there);
-    const auto P = room.pointOn(0, static_cast<Real>(kPlace));
-    const auto sine = [&](const NaivePoint<Real>& end) {
-        const Real x = end.x - P.x, y = end.y - P.y;
-        return x / std::sqrt(x * x + y * y);
-    };
-    const Real E = std::abs(sine(room.walls[1].a) - sine(room.walls[1].b));
-    return std::abs(static_cast<double>(E) - exact) / exact;
-}
-
 // The ends of a scene that stands `offset` sizes s away are rounded there: every coordinate by up to h offset
 // s, h = 2^-53. P, both of the lamp's ends and the shift of P off its wall make 4 such errors and 13 / 8 of
 // 16 h offset s. E changes by at most 1 / r for each metre of any of them (the sine of an angle, over the
 // distance r = 0.3 s): (4 + 26) h offset / 0.3, and E is 0.58.
 double lampBound(double offset) {
-    return (4.0 + 26.0) * std::numeric_limits<double>::epsilon() / 2.0 * std::max(1.0, offset) / 0.3 / 0.58;
+    return (4.0 + 26.0) * kRounding * std::max(1.0, offset) / 0.3 / 0.58;
 }
 
 ExtremeCell lampCell(double offset) {
@@ -81,11 +89,12 @@ ExtremeCell lampCell(double offset) {
                                                          0.2L / std::sqrt(0.2L * 0.2L + 1.0L));
                 const SegmentIndex index(there);
                 const Visibility visibility(index);
-                const double E = directIrradiance(visibility, shadedPointOn(index, 0, kPlace)).x;
+                const ShadedPoint at = shadedPointOn(index, 0, kPlace);
+                const double E = directIrradiance(visibility, at).x;
                 ExtremeOutcome outcome;
                 outcome.ours.error = std::abs(E - exact) / exact;
-                outcome.naiveFloat.error = naiveLampError<float>(there, exact);
-                outcome.naiveDouble.error = naiveLampError<double>(there, exact);
+                outcome.naiveFloat.error = naiveLampError<float>(at.P, there.segments[1], exact);
+                outcome.naiveDouble.error = naiveLampError<double>(at.P, there.segments[1], exact);
                 return outcome;
             }};
 }
@@ -100,6 +109,13 @@ void addPlacingRows(std::vector<ExtremeCell>& cells) {
         cells.push_back(furnaceCell("offset:" + powerText(offset),
                                     "a closed room " + powerText(offset) + " times its size away",
                                     {1.0, offset}));
+    for (const double scale : {1e-6, 1e6})
+        cells.push_back(manyWallsCell("scale-many:" + powerText(scale),
+                                      "a room of 1000 walls scaled by " + powerText(scale), {scale, 0.0}));
+    for (const double offset : {1e3, 1e5})
+        cells.push_back(manyWallsCell("offset-many:" + powerText(offset),
+                                      "a room of 1000 walls " + powerText(offset) + " times its size away",
+                                      {1.0, offset}));
     for (const double offset : {1e3, 1e5}) cells.push_back(lampCell(offset));
 }
 

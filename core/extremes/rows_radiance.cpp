@@ -41,7 +41,7 @@ ExtremeCell cell(double radiance) {
     return {"radiance:" + powerText(radiance),
             "radiance of " + powerText(radiance) + " W/(m rad)",
             "E and variance, relative",
-            4.0 * kFlips * std::numeric_limits<double>::epsilon() / 2.0,
+            4.0 * kFlips * kRounding,
             "4 roundings for each of 1000 samples; no square leaves the range of double",
             [radiance](const StopQuestion& stop) {
                 FurnaceQuestion question;

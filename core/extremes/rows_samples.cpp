@@ -144,7 +144,7 @@ ExtremeOutcome oneSample(const StopQuestion&) {
 // delta that is itself a rounding: K h at most, if all went one way. The squares likewise: each merge adds a
 // chunk's with one rounding, K h; of the chunk's own 1024 steps 2 h each.
 double samplesBound() {
-    return static_cast<double>(kPeriods + 4 * kPeriod) * std::numeric_limits<double>::epsilon() / 2.0;
+    return static_cast<double>(kPeriods + 4 * kPeriod) * kRounding;
 }
 
 }  // namespace

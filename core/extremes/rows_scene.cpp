@@ -34,19 +34,14 @@ std::vector<double> irradiances(const Scene& scene, std::uint64_t& nonFinite, co
     return Es;
 }
 
-double lostShare(const ExtremeCounts& counts) {
-    return static_cast<double>(counts.faults()) /
-           static_cast<double>(std::max<std::uint64_t>(1, counts.rays));
-}
-
-ExtremeOutcome sceneOutcome(const Scene& scene, const Placement& placing, const StopQuestion& stop) {
+ExtremeOutcome sceneOutcome(const Scene& scene, const Placement& placement, const StopQuestion& stop) {
     ExtremeOutcome outcome;
     SurveyRays rays;
     rays.count =
         std::min<std::uint64_t>(20'000, 1 + 20'000'000 / std::max<std::size_t>(1, scene.segments.size() * 3));
-    outcome.ours.counts = surveyOurs(scene, placing, rays, stop);
+    outcome.ours.counts = surveyOurs(scene, placement, rays, stop);
     const auto home = irradiances(scene, outcome.ours.counts.nonFinite, stop);
-    const auto there = irradiances(placed(scene, placing), outcome.ours.counts.nonFinite, stop);
+    const auto there = irradiances(placed(scene, placement), outcome.ours.counts.nonFinite, stop);
     double brightest = 0.0, worst = 0.0;
     for (std::size_t i = 0; i < home.size(); ++i) {
         brightest = std::max(brightest, home[i]);
@@ -54,11 +49,11 @@ ExtremeOutcome sceneOutcome(const Scene& scene, const Placement& placing, const 
     }
     outcome.ours.error = brightest > 0.0 ? worst / brightest : worst;
     outcome.naiveFloat.counts =
-        surveyNaive(scene, placing, rays, Precision::single, EpsilonPolicy::fixed, 1e-4, stop);
+        surveyNaive(scene, placement, rays, Precision::single, EpsilonPolicy::fixed, 1e-4, stop);
     outcome.naiveDouble.counts =
-        surveyNaive(scene, placing, rays, Precision::twice, EpsilonPolicy::fixed, 1e-4, stop);
-    outcome.naiveFloat.error = lostShare(outcome.naiveFloat.counts);
-    outcome.naiveDouble.error = lostShare(outcome.naiveDouble.counts);
+        surveyNaive(scene, placement, rays, Precision::twice, EpsilonPolicy::fixed, 1e-4, stop);
+    outcome.naiveFloat.error = outcome.naiveFloat.counts.lostShare();
+    outcome.naiveDouble.error = outcome.naiveDouble.counts.lostShare();
     return outcome;
 }
 
@@ -67,7 +62,7 @@ ExtremeOutcome sceneOutcome(const Scene& scene, const Placement& placing, const 
 // thousandth of s, and a path has some 30 such roundings. A ray that passes an edge on the other side than at
 // home would be seen as 1 % and more: at 16 places times 64 paths that happens once in 1e4 scenes.
 double sceneBound(double offset) {
-    return 32.0 * std::numeric_limits<double>::epsilon() / 2.0 * (1.0 + offset) / 1e-3;
+    return 32.0 * kRounding * (1.0 + offset) / 1e-3;
 }
 
 }  // namespace
@@ -75,11 +70,13 @@ double sceneBound(double offset) {
 std::vector<ExtremeCell> extremeCellsOf(const Scene& scene) {
     std::vector<ExtremeCell> cells;
     const auto shared = std::make_shared<const Scene>(scene);
-    const auto add = [&](std::string id, std::string title, Placement placing) {
-        cells.push_back(
-            {std::move(id), std::move(title), "E, of the brightest; naive: rays lost",
-             sceneBound(placing.offset), "32 roundings of coordinates, at distances of 1/1000 of the scene",
-             [shared, placing](const StopQuestion& stop) { return sceneOutcome(*shared, placing, stop); }});
+    const auto add = [&](std::string id, std::string title, Placement placement) {
+        cells.push_back({std::move(id), std::move(title), "E, of the brightest; naive: rays lost",
+                         sceneBound(placement.offset),
+                         "32 roundings of coordinates, at distances of 1/1000 of the scene",
+                         [shared, placement](const StopQuestion& stop) {
+                             return sceneOutcome(*shared, placement, stop);
+                         }});
     };
     for (const double scale : {1e-6, 1e-3, 1e3, 1e6})
         add("scale:" + powerText(scale), "the scene scaled by " + powerText(scale), {scale, 0.0});

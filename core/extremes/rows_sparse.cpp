@@ -5,13 +5,13 @@
 #include "core/estimators.h"
 #include "core/exact.h"
 #include "core/extremes/furnace.h"
+#include "core/extremes/naive_lamp.h"
 #include "core/extremes/rows.h"
 #include "core/render.h"
 
 namespace halfdisk {
 namespace {
 
-constexpr double kRounding = std::numeric_limits<double>::epsilon() / 2.0;
 const ShadedPoint kFreePoint{{0.2, 0.0}, {0.0, 1.0}};
 
 /// One lamp from 0.7 to -0.3, one metre above the point.
@@ -26,18 +26,8 @@ ExtremeOutcome oneSegment(const StopQuestion&) {
         static_cast<double>(right / std::sqrt(right * right + 1) - left / std::sqrt(left * left + 1));
     ExtremeOutcome outcome;
     outcome.ours.error = std::abs(directIrradiance(visibility, kFreePoint).x - exact) / exact;
-    const auto naive = [&](auto zero) {
-        using Real = decltype(zero);
-        const NaiveRoom<Real> room(scene);
-        const auto sine = [&](const NaivePoint<Real>& end) {
-            const Real x = end.x - static_cast<Real>(0.2);
-            return x / std::sqrt(x * x + end.y * end.y);
-        };
-        const double E = static_cast<double>(sine(room.walls[0].a) - sine(room.walls[0].b));
-        return ExtremeSide{std::abs(E - exact) / exact, {}};
-    };
-    outcome.naiveFloat = naive(0.0f);
-    outcome.naiveDouble = naive(0.0);
+    outcome.naiveFloat.error = naiveLampError<float>(kFreePoint.P, scene.segments[0], exact);
+    outcome.naiveDouble.error = naiveLampError<double>(kFreePoint.P, scene.segments[0], exact);
     return outcome;
 }
 

@@ -74,29 +74,14 @@ Rgb radianceOf(const Scene& scene, std::uint32_t segment, bool front, Vec2 direc
     return front || wall.twoSided ? wall.emission : Rgb(0.0);
 }
 
-Vec2 middleOf(const Scene& scene) {
-    Vec2 least(kInfinity), most(-kInfinity);
-    for (const Segment& s : scene.segments) {
-        least = glm::min(least, glm::min(s.a, s.b));
-        most = glm::max(most, glm::max(s.a, s.b));
-    }
-    return scene.segments.empty() ? Vec2(0.0) : (least + most) / 2.0;
-}
-
-/// scale * (p + shift). The way out is slanted, so that both coordinates lose digits.
-Vec2 shiftOf(const Scene& scene, const Placement& placing) {
-    if (placing.offset == 0.0) return Vec2(0.0);
-    return placing.offset * sizeOf(scene) * Vec2(0.8, -0.6) - middleOf(scene);
-}
-
 template <class Ask>
-ExtremeCounts survey(const Scene& scene, const Placement& placing, const SurveyRays& rays,
+ExtremeCounts survey(const Scene& scene, const Placement& placement, const SurveyRays& rays,
                      const StopQuestion& stop, const Ask& ask) {
     ExtremeCounts counts;
     if (scene.segments.empty()) return counts;
     const Rng rng(rays.seed, 0);
-    const Long size = sizeOf(scene), scale = placing.scale;
-    const Vec2 shift = shiftOf(scene, placing);
+    const Long size = sizeOf(scene), scale = placement.scale;
+    const Vec2 shift = shiftOf(scene, placement);
     double seen = 0.0, there = 0.0;
     for (std::uint64_t n = 0; n < rays.count; ++n) {
         throwIfStopped(stop, n);
@@ -126,7 +111,12 @@ ExtremeCounts survey(const Scene& scene, const Placement& placing, const SurveyR
             continue;
         }
         const Long x = answer.x / scale - shift.x, y = answer.y / scale - shift.y;
-        const Long away = std::hypot(x - truth.x, y - truth.y) / size;
+        if (answer.segment != truth.segment && std::hypot(x - truth.x, y - truth.y) > 1e-6L * size) {
+            ++counts.early;
+            continue;
+        }
+        const Vec2 met = frontNormal(scene.segments[truth.segment]);
+        const Long away = std::hypot(x - truth.x, y - truth.y) * std::abs(glm::dot(met, direction)) / size;
         counts.place = std::max(counts.place, static_cast<double>(away));
     }
     counts.light = there > 0.0 ? std::abs(seen - there) / there : 0.0;
@@ -134,10 +124,10 @@ ExtremeCounts survey(const Scene& scene, const Placement& placing, const SurveyR
 }
 
 template <class Real>
-ExtremeCounts surveyIn(const Scene& scene, const Placement& placing, const SurveyRays& rays,
+ExtremeCounts surveyIn(const Scene& scene, const Placement& placement, const SurveyRays& rays,
                        EpsilonPolicy policy, double fixedEpsilon, const StopQuestion& stop) {
-    const NaiveRoom<Real> room(placed(scene, placing), policy, fixedEpsilon);
-    return survey(scene, placing, rays, stop, [&](const Start& start) {
+    const NaiveRoom<Real> room(placed(scene, placement), policy, fixedEpsilon);
+    return survey(scene, placement, rays, stop, [&](const Start& start) {
         const auto ray = room.rayFrom(start.wall, room.pointOn(start.wall, static_cast<Real>(start.u)),
                                       static_cast<Real>(start.theta));
         if (!std::isfinite(ray.direction.x)) return Answer{start.wall, kInfinity, false, 0.0, 0.0};
@@ -155,44 +145,16 @@ void ExtremeCounts::merge(const ExtremeCounts& other) {
     leaks += other.leaks;
     selfHits += other.selfHits;
     nonFinite += other.nonFinite;
+    early += other.early;
     place = std::max(place, other.place);
     light = std::max(light, other.light);
 }
 
-double sizeOf(const Scene& scene) {
-    Vec2 least(kInfinity), most(-kInfinity);
-    for (const Segment& s : scene.segments) {
-        least = glm::min(least, glm::min(s.a, s.b));
-        most = glm::max(most, glm::max(s.a, s.b));
-    }
-    return scene.segments.empty() ? 1.0 : std::max(most.x - least.x, most.y - least.y);
-}
-
-Vec2 placed(const Scene& scene, const Placement& placing, Vec2 P) {
-    return placing.scale * (P + shiftOf(scene, placing));
-}
-
-Scene placed(const Scene& scene, const Placement& placing) {
-    Scene copy = scene;
-    const Vec2 shift = shiftOf(scene, placing);
-    const auto move = [&](Vec2& p) { p = placing.scale * (p + shift); };
-    for (Segment& s : copy.segments) move(s.a), move(s.b);
-    for (DeltaLight& light : copy.lights)
-        if (auto* bulb = std::get_if<PointLight>(&light)) {
-            move(bulb->position);
-            bulb->intensity *= placing.scale;
-        }
-    for (Material& material : copy.materials)
-        if (auto* glass = std::get_if<Dielectric>(&material)) glass->absorption /= placing.scale;
-    if (copy.eye) move(copy.eye->position);
-    return copy;
-}
-
-ExtremeCounts surveyOurs(const Scene& scene, const Placement& placing, const SurveyRays& rays,
+ExtremeCounts surveyOurs(const Scene& scene, const Placement& placement, const SurveyRays& rays,
                          const StopQuestion& stop) {
-    const Scene there = placed(scene, placing);
+    const Scene there = placed(scene, placement);
     const SegmentIndex index(there);
-    return survey(scene, placing, rays, stop, [&](const Start& start) {
+    return survey(scene, placement, rays, stop, [&](const Start& start) {
         ShadedPoint at{index.pointOn(start.wall, start.u), index.normal(start.wall), start.wall};
         const Vec2 direction =
             frameFromNormal(at.N).toWorld(halfCircleCos(start.theta), halfCircleSin(start.theta));
@@ -203,12 +165,12 @@ ExtremeCounts surveyOurs(const Scene& scene, const Placement& placing, const Sur
     });
 }
 
-ExtremeCounts surveyNaive(const Scene& scene, const Placement& placing, const SurveyRays& rays,
+ExtremeCounts surveyNaive(const Scene& scene, const Placement& placement, const SurveyRays& rays,
                           Precision precision, EpsilonPolicy policy, double fixedEpsilon,
                           const StopQuestion& stop) {
     return precision == Precision::single
-               ? surveyIn<float>(scene, placing, rays, policy, fixedEpsilon, stop)
-               : surveyIn<double>(scene, placing, rays, policy, fixedEpsilon, stop);
+               ? surveyIn<float>(scene, placement, rays, policy, fixedEpsilon, stop)
+               : surveyIn<double>(scene, placement, rays, policy, fixedEpsilon, stop);
 }
 
 }  // namespace halfdisk

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "core/extremes/naive_room.h"
+#include "core/extremes/placement.h"
 #include "core/intersect.h"
 #include "core/stop.h"
 
@@ -15,27 +16,19 @@ struct ExtremeCounts {
     std::uint64_t leaks = 0;      ///< met nothing, a wall's back, or something beyond the wall that is there
     std::uint64_t selfHits = 0;   ///< met the straight wall that they leave
     std::uint64_t nonFinite = 0;  ///< NaN or infinity where there is a number
-    double place = 0.0;           ///< of the others, how far off the hit is at most, in sizes of the scene
-    double light = 0.0;           ///< relative error of the light seen by all rays together
+    std::uint64_t early = 0;  ///< met a wall that the true ray passes; no fault: next to an edge a rounding
+                              ///< decides
+    double place = 0.0;       ///< of the others, how far at most they pass beside the true hit, in sizes
+                              ///< of the scene (off along a wall that they meet at a slant, they are more)
+    double light = 0.0;       ///< relative error of the light seen by all rays together
 
     std::uint64_t faults() const { return leaks + selfHits + nonFinite; }
+    /// Of the rays, 0 ... 1.
+    double lostShare() const {
+        return rays > 0 ? static_cast<double>(faults()) / static_cast<double>(rays) : 0.0;
+    }
     void merge(const ExtremeCounts& other);
 };
-
-/// Where a copy of a scene stands: its largest side is `scale` times what it was, and its middle is `offset`
-/// such sizes away from the origin.
-struct Placement {
-    double scale = 1.0;
-    double offset = 0.0;
-};
-
-/// The larger side (m) of the box around all walls; 1 if there is none.
-double sizeOf(const Scene& scene);
-
-/// Point lights shine and glass absorbs so that all irradiance stays as it was.
-Scene placed(const Scene& scene, const Placement& placing);
-/// Of a point of the scene.
-Vec2 placed(const Scene& scene, const Placement& placing, Vec2 P);
 
 /// By which rays a tracer is tried.
 struct SurveyRays {
@@ -46,12 +39,12 @@ struct SurveyRays {
     std::uint32_t walls = 0xFFFFFFFF;  ///< they start at the first so many
 };
 
-/// The product's own: SegmentIndex and rayFrom. The scene is surveyed where `placing` puts it.
-ExtremeCounts surveyOurs(const Scene& scene, const Placement& placing, const SurveyRays& rays,
+/// The product's own: SegmentIndex and rayFrom. The scene is surveyed where `placement` puts it.
+ExtremeCounts surveyOurs(const Scene& scene, const Placement& placement, const SurveyRays& rays,
                          const StopQuestion& stop = {});
 
 /// The naive twin. A wall that its number type gives no length counts as non-finite whenever it is left.
-ExtremeCounts surveyNaive(const Scene& scene, const Placement& placing, const SurveyRays& rays,
+ExtremeCounts surveyNaive(const Scene& scene, const Placement& placement, const SurveyRays& rays,
                           Precision precision, EpsilonPolicy policy, double fixedEpsilon = 1e-4,
                           const StopQuestion& stop = {});
 

@@ -46,6 +46,7 @@ TEST_CASE("every command has its help, with examples") {
                                                     {"profile"},
                                                     {"field"},
                                                     {"estimators"},
+                                                    {"extremes"},
                                                     {"scene"},
                                                     {"scene", "check"},
                                                     {"scene", "write"}}) {

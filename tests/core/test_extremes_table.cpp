@@ -20,7 +20,7 @@ using namespace halfdisk::test;
 namespace {
 
 Scene someRoom() {
-    return furnaceOf(halfdisk::furnacePolygon(), 0.5);
+    return furnaceOf(halfdisk::furnacePolygon(), FurnaceQuestion{}.albedo);
 }
 
 const ExtremeCell& cellOf(const std::vector<ExtremeCell>& cells, const std::string& id) {
@@ -86,6 +86,7 @@ TEST_CASE("survey: an origin on the wall, in double, meets its own wall; the pro
     CHECK(ours.rays == 20'000);
     CHECK(ours.faults() == 0);
     CHECK(ours.place < 1e-9);
+    CHECK(ours.early == 0);
     CHECK(ours.light == 0.0);
     // The same method, written out in double by the twin.
     CHECK(surveyNaive(room, {}, {}, Precision::twice, EpsilonPolicy::ours).faults() == 0);
@@ -149,9 +150,11 @@ TEST_CASE("dial: the product loses no ray; float and a fixed step do") {
                 const ExtremeCounts ours = measureDial(setting, scene);
                 CHECK(ours.rays == setting.rays);
                 CHECK(ours.faults() == 0);
+                CHECK(ours.early <= 4);
+                CHECK(ours.place < 1e-8 * (1.0 + offset));
                 setting.policy = EpsilonPolicy::fixed;
                 setting.precision = Precision::single;
-                CHECK(measureDial(setting, scene).faults() > (gap > 0.0 || offset > 0.0 ? 500 : 0));
+                CHECK(measureDial(setting, scene).faults() > (gap > 0.0 || offset > 0.0 ? 100 : 0));
             }
     CHECK(measureDial({}, Scene{}).rays == 0);
     DialSetting slit;

@@ -108,6 +108,20 @@ TEST_CASE(
     CHECK(bounces->beyond.size() == 10);  // 0.6^10 = 0.0060 is the first one below 0.01
 }
 
+TEST_CASE("requirements: a bounce that brings nothing is not the last one") {
+    // Of what the floor scatters, nothing meets the floor; of what the ceiling makes of it, much does.
+    Scene scene;
+    addWall(scene, {0.0, 0.0}, {3.0, 0.0}, Rgb(0.6));
+    addWall(scene, {3.0, 1.5}, {0.0, 1.5}, Rgb(0.6));
+    addWall(scene, {1.6, 1.3}, {1.4, 1.3}, Rgb(0.6), Rgb(2.0));
+    const SegmentIndex index(scene);
+    const auto bounces = patchBounces(index, Profile{{0}, 4}, 0.01);
+    REQUIRE(bounces.has_value());
+    REQUIRE(bounces->beyond.size() > 2);
+    CHECK(bounces->beyond[0] > 0.05);
+    CHECK(bounces->beyond[1] > 0.05);
+}
+
 TEST_CASE("requirements: bounces by patches agree with paths") {
     const Scene scene = litBox();
     const RequirementsAnswer answer = ask(scene, {}, 0.01);

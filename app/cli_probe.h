@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/requirements_arguments.h"
 #include "core/estimate.h"
 #include "core/estimators.h"
 #include "core/settings.h"
@@ -45,6 +46,7 @@ struct ProbeTexts {
     bool anyway = false;
     bool json = false;
     bool list = false;
+    PlanTexts plan;
 };
 
 struct ProbeQuestion {
@@ -56,6 +58,7 @@ struct ProbeQuestion {
     std::optional<Vec2> normal, look;  ///< unit; at most one of them
     bool anyway = false;
     bool list = false;
+    PlanRequest plan;  ///< automatic: estimator and params are not known yet, and not castRay's
 
     bool isCastRay() const { return estimator->id == kCastRayId; }
     /// Not castRay's own estimate of irradiance, but passes of an estimator of the registry.

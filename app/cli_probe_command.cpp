@@ -9,14 +9,32 @@
 #include "app/cli_probe_passes.h"
 #include "app/cli_probe_report.h"
 #include "app/estimator_arguments.h"
+#include "app/requirements_text.h"
 #include "lessons/scene_file.h"
 
 namespace halfdisk {
 namespace {
 
-int answerByPasses(const SegmentIndex& index, const ProbeQuestion& question, const ProbeTexts& texts) {
-    const ProbePlace place = question.look ? lookPlace(index, texts.at, *question.look)
-                                           : probePlace(index, texts.at, question.normal);
+/// Takes the plan's estimator and settings if they are wanted, and tells the plan if that is.
+std::optional<RequirementsAnswer> ask(const SegmentIndex& index, const ProbePlace& place,
+                                      const ProbeTexts& texts, ProbeQuestion& question) {
+    Sensor sensor = Probe{place.shaded};
+    if (question.look) sensor = Look{place.shaded.P, *question.look};
+    std::optional<RequirementsAnswer> required =
+        requirementsAsked(question.plan, index, sensor, question.settings.seed);
+    if (!required) return required;
+    if (question.plan.automatic) {
+        question.estimator = required->plan.estimator;
+        question.params = required->plan.params;
+        question.settings.maxDepth = required->plan.maxDepth;
+        question.settings.maxSpecular = required->plan.maxSpecular;
+    }
+    if (question.plan.explain && !texts.json) writeOutput(explanation(*required, index, texts.estimator));
+    return required;
+}
+
+int answerByPasses(const SegmentIndex& index, const ProbeQuestion& question, const ProbePlace& place,
+                   const std::optional<RequirementsAnswer>& required, const ProbeTexts& texts) {
     PassesAnswer answer = probeByPasses(index, question, place);
     const Measurement& measurement = answer.measurement;
     if (measurement.film.passes == 0) {
@@ -26,7 +44,9 @@ int answerByPasses(const SegmentIndex& index, const ProbeQuestion& question, con
     if (measurement.interrupted)
         writeError(fmt::format("stopped after {} of {} samples", measurement.film.passes, question.passes()));
     if (texts.json) {
-        writeJson(passesJson(answer));
+        Json object = passesJson(answer);
+        if (required) object["requirements"] = requirementsJson(*required, index);
+        writeJson(object);
     } else {
         if (!question.look) answer.exact = exactIrradiance(index.scene(), question.settings, place.shaded);
         writeOutput(passesTable(answer));
@@ -34,10 +54,13 @@ int answerByPasses(const SegmentIndex& index, const ProbeQuestion& question, con
     return measurement.interrupted ? kExitStopped : kExitSuccess;
 }
 
-int answerByCastRay(const SegmentIndex& index, const ProbeQuestion& question, const ProbeTexts& texts) {
-    ProbeAnswer answer = probe(index, question, probePlace(index, texts.at, question.normal));
+int answerByCastRay(const SegmentIndex& index, const ProbeQuestion& question, const ProbePlace& place,
+                    const std::optional<RequirementsAnswer>& required, const ProbeTexts& texts) {
+    ProbeAnswer answer = probe(index, question, place);
     if (texts.json) {
-        writeJson(probeJson(answer));
+        Json object = probeJson(answer);
+        if (required) object["requirements"] = requirementsJson(*required, index);
+        writeJson(object);
     } else {
         answer.exact = exactIrradiance(index.scene(), question.settings, answer.place.shaded);
         writeOutput(probeTable(answer));
@@ -46,11 +69,21 @@ int answerByCastRay(const SegmentIndex& index, const ProbeQuestion& question, co
 }
 
 int runProbe(const ProbeTexts& texts) {
-    const ProbeQuestion question = probeQuestion(texts);
+    ProbeQuestion question = probeQuestion(texts);
     const Scene scene = expandScene(loadScene(texts.scene));
-    const SegmentIndex index(scene);
-    return question.isByPasses() ? answerByPasses(index, question, texts)
-                                 : answerByCastRay(index, question, texts);
+    const SegmentIndex index(scene, question.plan.indexMethod());
+    const ProbePlace place = question.look ? lookPlace(index, texts.at, *question.look)
+                                           : probePlace(index, texts.at, question.normal);
+    std::optional<RequirementsAnswer> required;
+    if (question.plan.asks()) {
+        required = ask(index, place, texts, question);
+        if (!required) {
+            writeError("stopped before it was known what the scene requires");
+            return kExitStopped;
+        }
+    }
+    return question.isByPasses() ? answerByPasses(index, question, place, required, texts)
+                                 : answerByCastRay(index, question, place, required, texts);
 }
 
 std::string helpFooter() {
@@ -72,6 +105,7 @@ Examples:
   halfdisk probe room.toml --at 0.5,0.5 --normal 0,1 --samples 1e4 --sampler cosine
   halfdisk probe room.toml --at floor:0.25 --as-printed=frame,pdf --json
   halfdisk probe room.toml --at floor:0.25 --estimator path --samples 1e4 --param roulette=0
+  halfdisk probe room.toml --at floor:0.25 --estimator auto --samples 1e4 --explain
   halfdisk probe room.toml --at 1,1 --look 1,0 --estimator path --samples 100 --list --json)",
         describedEstimators(), describedNames(kSamplers), describedNames(kEmitters),
         describedNames(kDefects));
@@ -131,13 +165,18 @@ void addProbeCommand(CLI::App& app, Action& chosen) {
                      fmt::format("{} [{}]", kRepeatsInfo.meaning, kRepeatsInfo.initial))
         ->type_name("R");
     command->add_option("--threads", texts->threads, std::string(kThreadsInfo.meaning))->type_name("T");
+    addPlanOptions(*command, texts->plan);
     command->add_flag("--anyway", texts->anyway, "cast the rays even if they are more than 10^10");
     command->add_flag("--json", texts->json, "print one JSON object");
     command->add_flag("--list", texts->list,
                       fmt::format("with --json: the values of all samples (of cast-ray: repeats), {} at most",
                                   kMostListed));
     command->footer(helpFooter());
-    command->callback([&chosen, texts] { chosen = [texts] { return runProbe(*texts); }; });
+    command->callback([&chosen, texts, command] {
+        texts->plan.depthGiven = command->count("--depth") > 0;
+        texts->plan.specularGiven = command->count("--specular") > 0;
+        chosen = [texts] { return runProbe(*texts); };
+    });
 }
 
 }  // namespace halfdisk

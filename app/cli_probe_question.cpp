@@ -55,8 +55,11 @@ void refuseCastRayOptions(const ProbeTexts& texts, const EstimatorInfo& info) {
 
 ProbeQuestion probeQuestion(const ProbeTexts& texts) {
     ProbeQuestion question;
-    question.estimator = &estimatorArgument(texts.estimator);
     question.settings = commonSettings(texts);
+    question.plan = planRequest(texts.plan, texts.estimator, texts.params, question.settings.maxDepth,
+                                question.settings.maxSpecular);
+    question.estimator =
+        question.plan.automatic ? findEstimator(kDefaultEstimator) : &estimatorArgument(texts.estimator);
     if (texts.normal) question.normal = directionArgument("--normal", *texts.normal);
     if (texts.look) question.look = directionArgument("--look", *texts.look);
     if (texts.normal && texts.look)

@@ -10,18 +10,37 @@
 #include "app/cli_commands.h"
 #include "app/render_output.h"
 #include "app/render_report.h"
+#include "app/requirements_text.h"
 #include "app/tone.h"
 #include "lessons/scene_file.h"
 
 namespace halfdisk {
 namespace {
 
+void take(const Plan& plan, RenderRequest& request) {
+    request.estimator = plan.estimator;
+    request.params = plan.params;
+    request.maxDepth = plan.maxDepth;
+    request.maxSpecular = plan.maxSpecular;
+}
+
 int runRender(PictureSensor sensor, const RenderTexts& texts) {
-    const RenderRequest request = renderRequest(sensor, texts);
+    RenderRequest request = renderRequest(sensor, texts);
     const Scene scene = expandScene(loadScene(texts.scene));
-    const SegmentIndex index(scene);
+    const SegmentIndex index(scene, request.plan.indexMethod());
     const PictureOf picture = pictureOf(request, scene);
     refuseTooManySamples(request, pixelCount(picture.sensor));
+
+    std::optional<RequirementsAnswer> required;
+    if (request.plan.asks()) {
+        required = requirementsAsked(request.plan, index, picture.sensor, request.seed);
+        if (!required) {
+            writeError("stopped before it was known what the scene requires; nothing is written");
+            return kExitStopped;
+        }
+    }
+    if (request.plan.automatic) take(required->plan, request);
+    if (request.plan.explain && !texts.json) writeOutput(explanation(*required, index, texts.estimator));
 
     const Problem problem{index, picture.sensor, request.maxDepth, request.maxSpecular, request.seed};
     RenderResult result{request, index, picture,
@@ -37,7 +56,9 @@ int runRender(PictureSensor sensor, const RenderTexts& texts) {
     if (measurement.interrupted)
         writeError(fmt::format("stopped after {}; written", howFar(measurement, request.limits)));
     if (texts.json) {
-        writeJson(renderJson(result));
+        Json object = renderJson(result);
+        if (required) object["requirements"] = requirementsJson(*required, index);
+        writeJson(object);
     } else {
         writeOutput(renderTable(result));
     }
@@ -96,7 +117,8 @@ std::string examplesOf(PictureSensor sensor) {
         case PictureSensor::eye:
             return "  halfdisk eye room.toml -o room.png\n"
                    "  halfdisk eye room.toml --position 1,1 --direction 1,0 --fov 90 --depth 4 --seconds 10 "
-                   "-o room.png -o room.json";
+                   "-o room.png -o room.json\n"
+                   "  halfdisk eye room.toml --estimator auto --explain -o room.png";
         case PictureSensor::profile:
             return "  halfdisk profile glass.toml --walls floor --estimator light --samples 1e4 -o "
                    "caustic.csv\n"
@@ -154,11 +176,15 @@ void addRender(CLI::App& app, Action& chosen, PictureSensor sensor) {
         ->type_name("FILE.(png|pfm|csv|json)")
         ->allow_extra_args(false)
         ->required();
+    addPlanOptions(*command, texts->plan);
     command->add_flag("--anyway", texts->anyway, "work even if samples times pixels are more than 10^11");
     command->add_flag("--json", texts->json, "print the summary as one JSON object");
     command->footer(footerOf(sensor));
-    command->callback(
-        [&chosen, texts, sensor] { chosen = [texts, sensor] { return runRender(sensor, *texts); }; });
+    command->callback([&chosen, texts, sensor, command] {
+        texts->plan.depthGiven = command->count("--depth") > 0;
+        texts->plan.specularGiven = command->count("--specular") > 0;
+        chosen = [texts, sensor] { return runRender(sensor, *texts); };
+    });
 }
 
 }  // namespace

@@ -28,8 +28,11 @@ struct RequirementsTexts {
     std::optional<std::string> sensor, at, normal;
     std::string tolerance = fmt::format("{}", kInitialTolerance);
     std::vector<std::string> force;
-    bool json = false;
+    std::string rays = "150000";
+    bool costs = false, json = false;
 };
+
+constexpr NumberInfo kCostRays{"rays", "R", "with --costs: rays of each run", 1000, 1'000'000'000, 150'000};
 
 /// As given; else the scene's eye; else all its walls.
 Sensor sensorAsked(const RequirementsTexts& texts, const SegmentIndex& index) {
@@ -60,18 +63,29 @@ int runRequirements(const RequirementsTexts& texts) {
     const SegmentIndex index(scene);
     const Sensor sensor = sensorAsked(texts, index);
     const RequirementsQuestion question{index, sensor, tolerance, forced, seed};
-    const RequirementsAnswer answer = requirementsAsked(question);
+    const std::optional<RequirementsAnswer> found = requirementsAsked(question);
+    if (!found) {
+        writeError("stopped before it was known what the scene requires");
+        return kExitStopped;
+    }
+    const RequirementsAnswer& answer = *found;
+    std::optional<Costs> costs;
+    if (texts.costs)
+        costs = costsAsked(question, answer, {.rays = wholeArgument("--rays", texts.rays, kCostRays)});
+    const bool stopped = texts.costs && !costs;
     if (texts.json) {
         Json object{{"scene", texts.render.scene}, {"sensor", std::string(kSensorNames[sensor.index()])}};
         object.update(requirementsJson(answer, index));
+        if (costs) object["costs"] = costsJson(*costs, index);
         writeJson(object);
     } else {
         writeOutput(fmt::format("{}, {}, tolerance {:g} %\n\n",
                                 scene.title.empty() ? texts.render.scene : scene.title,
                                 kSensorNames[sensor.index()], 100.0 * tolerance) +
-                    requirementsText(answer, index));
+                    requirementsText(answer, index) + (costs ? costsText(*costs) : ""));
     }
-    return kExitSuccess;
+    if (stopped) writeError("stopped before the costs were measured");
+    return stopped ? kExitStopped : kExitSuccess;
 }
 
 }  // namespace
@@ -110,6 +124,11 @@ void addRequirementsCommand(CLI::App& app, Action& chosen) {
     command->add_option("--seed", texts->render.seed, std::string(kSeedInfo.meaning))
         ->type_name("K")
         ->capture_default_str();
+    command->add_flag("--costs", texts->costs,
+                      "measure what skipping or adding each part costs in light, rays and time");
+    command->add_option("--rays", texts->rays, std::string(kCostRays.meaning))
+        ->type_name("R")
+        ->capture_default_str();
     command->add_flag("--json", texts->json, "print one JSON object");
     command->footer(
         fmt::format("What the scene can't contain is left out by proof; between ways that carry all light, "
@@ -118,6 +137,7 @@ void addRequirementsCommand(CLI::App& app, Action& chosen) {
                     "auto` of probe, eye, "
                     "profile and field does what this plan says.\n\nWhat can be forced:\n{}\nExamples:\n"
                     "  halfdisk requirements room.toml\n"
+                    "  halfdisk requirements room.toml --costs\n"
                     "  halfdisk requirements room.toml --sensor profile --walls floor --tolerance 0.001\n"
                     "  halfdisk requirements glass.toml --force light-pass=off --json",
                     describedSwitches()));

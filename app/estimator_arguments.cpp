@@ -50,6 +50,7 @@ const EstimatorInfo& estimatorArgument(std::string_view id) {
     if (const EstimatorInfo* info = findEstimator(id)) return *info;
     std::vector<std::string_view> ids;
     for (const EstimatorInfo* info : estimators()) ids.push_back(info->id);
+    ids.push_back(kAutomaticEstimator);
     failArgument("--estimator", id, fmt::format("is unknown, {}", expectedOneOf(id, ids)));
 }
 
@@ -77,7 +78,8 @@ std::string describedEstimators() {
     std::string lines;
     for (const EstimatorInfo* info : estimators())
         lines += fmt::format("  {:<15} {}\n", info->id, info->meaning);
-    return lines;
+    return lines + fmt::format("  {:<15} what the scene requires: halfdisk requirements tells it\n",
+                               kAutomaticEstimator);
 }
 
 }  // namespace halfdisk

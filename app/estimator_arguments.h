@@ -12,6 +12,9 @@ namespace halfdisk {
 /// What is used if nothing is said.
 inline constexpr std::string_view kDefaultEstimator = "path";
 
+/// Which is none of the registry: the program chooses one.
+inline constexpr std::string_view kAutomaticEstimator = "auto";
+
 /// The estimator of that id. Throws InputError that names all there are.
 const EstimatorInfo& estimatorArgument(std::string_view id);
 

@@ -56,11 +56,15 @@ RenderRequest renderRequest(PictureSensor sensor, const RenderTexts& texts) {
     RenderRequest request;
     request.sensor = sensor;
     request.texts = texts;
-    request.estimator = &estimatorArgument(texts.estimator);
-    request.params = paramArguments(*request.estimator, texts.params);
     request.maxDepth = static_cast<std::uint32_t>(wholeArgument("--depth", texts.depth, kMaxDepthInfo));
     request.maxSpecular =
         static_cast<std::uint32_t>(wholeArgument("--specular", texts.specular, kMaxSpecularInfo));
+    request.plan =
+        planRequest(texts.plan, texts.estimator, texts.params, request.maxDepth, request.maxSpecular);
+    if (!request.plan.automatic) {
+        request.estimator = &estimatorArgument(texts.estimator);
+        request.params = paramArguments(*request.estimator, texts.params);
+    }
     request.seed = wholeArgument("--seed", texts.seed, kSeedInfo);
     request.limits = limitsOf(texts);
     if (texts.exposure)

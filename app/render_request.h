@@ -9,6 +9,7 @@
 
 #include "app/estimator_arguments.h"
 #include "app/measurement.h"
+#include "app/requirements_arguments.h"
 
 namespace halfdisk {
 
@@ -40,6 +41,7 @@ struct RenderTexts {
     std::string specular = std::to_string(kMaxSpecularInfo.initial);
     std::string seed = std::to_string(kSeedInfo.initial);
     bool anyway = false, json = false;
+    PlanTexts plan;
 
     std::optional<std::string> position, direction, fov;  ///< of the eye
     std::string walls;                                    ///< of the profile
@@ -53,6 +55,7 @@ struct RenderRequest {
     ParamValues params;
     std::uint32_t maxDepth = 0, maxSpecular = 0;
     std::uint64_t seed = 0;
+    PlanRequest plan;  ///< automatic: estimator and params are not known yet
     MeasureLimits limits;
     std::optional<double> exposure;  ///< EV: factor 2^EV; none: automatic
     std::vector<std::filesystem::path> outputs;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/cli_arguments.h"
+#include "app/interruption.h"
 
 namespace halfdisk {
 namespace {
@@ -65,12 +66,81 @@ std::string describedSwitches() {
     return lines;
 }
 
-RequirementsAnswer requirementsAsked(const RequirementsQuestion& question) {
+IndexMethod PlanRequest::indexMethod() const {
+    for (const Forced& one : forced)
+        if (one.id == RequirementId::index)
+            return one.value != 0 ? IndexMethod::tree : IndexMethod::bruteForce;
+    return IndexMethod::automatic;
+}
+
+void addPlanOptions(CLI::App& command, PlanTexts& texts) {
+    command
+        .add_option("--tolerance", texts.tolerance,
+                    fmt::format("of --estimator auto: share of the light that may be missing or noise [{}]",
+                                kInitialTolerance))
+        ->type_name("SHARE");
+    command
+        .add_option(
+            "--force", texts.force,
+            "of --estimator auto: a requirement as you want it; may be repeated (see halfdisk requirements)")
+        ->type_name("NAME=on|off|NUMBER")
+        ->allow_extra_args(false);
+    command.add_flag("--explain", texts.explain, "tell what the scene requires, and why");
+}
+
+PlanRequest planRequest(const PlanTexts& texts, std::string_view estimator,
+                        const std::vector<std::string>& params, std::uint32_t depth, std::uint32_t specular) {
+    PlanRequest request;
+    request.automatic = estimator == kAutomatic;
+    request.explain = texts.explain;
+    if (!request.automatic && !texts.force.empty())
+        throw InputError(
+            "--force is for --estimator auto: any other one is told by --param, expected --estimator auto");
+    if (!request.asks() && texts.tolerance)
+        throw InputError("--tolerance is for --estimator auto and --explain, expected one of them");
+    if (request.automatic && !params.empty())
+        failArgument("--param", params.front(),
+                     "is not for auto, which chooses the parameters, expected --force");
+    if (texts.tolerance) request.tolerance = toleranceArgument(*texts.tolerance);
+    request.forced = forcedArguments(texts.force);
+    const auto add = [&](RequirementId id, std::uint32_t value, std::string_view option) {
+        for (const Forced& forced : request.forced)
+            if (forced.id == id)
+                throw InputError(fmt::format("{} and --force {} exclude each other, expected one of them",
+                                             option, infoOf(id).name));
+        request.forced.push_back({id, value});
+    };
+    if (texts.depthGiven) add(RequirementId::bounces, depth, "--depth");
+    if (texts.specularGiven) add(RequirementId::specular, specular, "--specular");
+    return request;
+}
+
+std::optional<Costs> costsAsked(RequirementsQuestion question, const RequirementsAnswer& answer,
+                                const CostLimits& limits) {
+    const Interruption interruption;
+    question.stop = [&interruption] { return interruption.asked(); };
+    try {
+        return costsOf(question, answer, limits);
+    } catch (const Stopped&) {
+        return std::nullopt;
+    }
+}
+
+std::optional<RequirementsAnswer> requirementsAsked(RequirementsQuestion question) {
+    const Interruption interruption;
+    question.stop = [&interruption] { return interruption.asked(); };
     try {
         return requirementsOf(question);
+    } catch (const Stopped&) {
+        return std::nullopt;
     } catch (const std::invalid_argument& refusal) {
         throw InputError(refusal.what());
     }
+}
+
+std::optional<RequirementsAnswer> requirementsAsked(const PlanRequest& request, const SegmentIndex& index,
+                                                    const Sensor& sensor, std::uint64_t seed) {
+    return requirementsAsked({index, sensor, request.tolerance, request.forced, seed});
 }
 
 }  // namespace halfdisk

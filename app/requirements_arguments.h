@@ -2,10 +2,13 @@
 // table of requirements.
 #pragma once
 
+#include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "core/requirements/requirements.h"
+#include "app/estimator_arguments.h"
+#include "core/requirements/costs.h"
 
 namespace halfdisk {
 
@@ -16,10 +19,44 @@ std::vector<Forced> forcedArguments(const std::vector<std::string>& texts);
 /// A share of the light.
 double toleranceArgument(const std::string& text);
 
+/// What `--estimator` says where the program shall choose.
+inline constexpr std::string_view kAutomatic = kAutomaticEstimator;
+
+/// As typed, of commands that measure light.
+struct PlanTexts {
+    std::optional<std::string> tolerance;
+    std::vector<std::string> force;
+    bool explain = false;
+    bool depthGiven = false, specularGiven = false;  ///< then they are not the plan's to choose
+};
+
+struct PlanRequest {
+    bool automatic = false;  ///< do what the plan says
+    bool explain = false;    ///< tell it
+    double tolerance = kInitialTolerance;
+    std::vector<Forced> forced;
+
+    bool asks() const { return automatic || explain; }
+    /// By which the walls are to be found.
+    IndexMethod indexMethod() const;
+};
+
+/// `--tolerance`, `--force`, `--explain`.
+void addPlanOptions(CLI::App& command, PlanTexts& texts);
+
+/// Throws InputError, also for what only `--estimator auto` can do.
+PlanRequest planRequest(const PlanTexts& texts, std::string_view estimator,
+                        const std::vector<std::string>& params, std::uint32_t depth, std::uint32_t specular);
+
 /// A line `  name  what it asks` for each that can be forced, for help.
 std::string describedSwitches();
 
-/// requirementsOf; what it can't do becomes an InputError.
-RequirementsAnswer requirementsAsked(const RequirementsQuestion& question);
+/// requirementsOf; what it can't do becomes an InputError. Empty: Ctrl-C ended it.
+std::optional<RequirementsAnswer> requirementsAsked(RequirementsQuestion question);
+/// costsOf, the same way.
+std::optional<Costs> costsAsked(RequirementsQuestion question, const RequirementsAnswer& answer,
+                                const CostLimits& limits);
+std::optional<RequirementsAnswer> requirementsAsked(const PlanRequest& request, const SegmentIndex& index,
+                                                    const Sensor& sensor, std::uint64_t seed);
 
 }  // namespace halfdisk

@@ -6,6 +6,7 @@
 
 #include "app/estimator_arguments.h"
 #include "app/render_result.h"
+#include "app/requirements_arguments.h"
 
 namespace halfdisk {
 namespace {
@@ -46,6 +47,32 @@ std::string pathTypesText(const RequirementsAnswer& answer) {
             any = true;
         }
     return any ? text : "There is no light.\n";
+}
+
+/// `off`, `on` or the number.
+std::string switched(RequirementId id, std::uint32_t value) {
+    if (infoOf(id).kind == Switch::number && value > 0) return std::to_string(value);
+    return value > 0 ? "on" : "off";
+}
+
+Json costJson(const PlanCost& cost, const SegmentIndex& index) {
+    Json object = planJson(cost.plan, index);
+    object["change"] = jsonOf(cost.change);
+    object["changeError"] = jsonOf(cost.changeError);
+    object["changeOfPixels"] = jsonOf(cost.changeOfPixels);
+    object["raysFactor"] = jsonOf(cost.raysFactor);
+    object["timePerRayFactor"] = jsonOf(cost.timePerRayFactor);
+    object["timeFactor"] = jsonOf(cost.timeFactor());
+    return object;
+}
+
+std::string costLine(const std::string& what, const PlanCost& cost) {
+    const std::string pixels =
+        cost.changeOfPixels > 0.0 ? fmt::format("{:.2g} %", 100.0 * cost.changeOfPixels) : "-";
+    const std::string change =
+        fmt::format("{:+.2f} ± {:.2f} %", 100.0 * cost.change, 200.0 * cost.changeError);
+    return fmt::format("{:<24} {:>20} {:>8} {:>10.3g} {:>10.2f} {:>10.3g}  {}\n", what, change, pixels,
+                       cost.raysFactor, cost.timePerRayFactor, cost.timeFactor(), cost.plan.estimator->id);
 }
 
 Json bouncesJson(const BounceFindings& bounces) {
@@ -117,6 +144,51 @@ std::string requirementsText(const RequirementsAnswer& answer, const SegmentInde
     if (!answer.loses.empty()) text += "NOTE: " + wrapped(fmt::format("this plan {}", answer.loses), 6);
     text += fmt::format("found with {} rays in {:.2g} s\n", answer.rays, answer.seconds);
     return text;
+}
+
+std::string explanation(const RequirementsAnswer& answer, const SegmentIndex& index,
+                        std::string_view estimator) {
+    std::string text = estimator == kAutomatic
+                           ? std::string()
+                           : fmt::format("{} was asked for; this is what auto would do:\n\n", estimator);
+    return text + requirementsText(answer, index) + "\n";
+}
+
+std::string costsText(const Costs& costs) {
+    std::string text = fmt::format("\n{:<24} {:>19} {:>8} {:>10} {:>10} {:>10}\n", "what a change costs",
+                                   "light", "pixels", "rays", "time/ray", "time");
+    for (const RequirementCost& row : costs.rows) {
+        const std::string what = fmt::format("{} {} -> {}", infoOf(row.id).name, switched(row.id, row.from),
+                                             switched(row.id, row.to));
+        text += row.impossible.empty() ? costLine(what, row.cost)
+                                       : fmt::format("{:<24} {}", what, wrapped(row.impossible, 25));
+    }
+    text += costLine("everything on", costs.everything);
+    text += wrapped(fmt::format("light: change of the mean, ± 2 standard errors; pixels: root mean square of "
+                                "their changes, where "
+                                "noise does not hide it; rays: to the same noise; time: rays times time per "
+                                "ray, on this machine, "
+                                "now. The plan itself: {:.3g} ns per ray.",
+                                1e9 * costs.plan.secondsPerRay()),
+                    0);
+    return text;
+}
+
+Json costsJson(const Costs& costs, const SegmentIndex& index) {
+    Json object;
+    object["secondsPerRay"] = jsonOf(costs.plan.secondsPerRay());
+    object["rows"] = Json::array();
+    for (const RequirementCost& row : costs.rows) {
+        Json line = row.impossible.empty() ? costJson(row.cost, index) : Json::object();
+        line["id"] = std::string(infoOf(row.id).name);
+        line["from"] = switched(row.id, row.from);
+        line["to"] = switched(row.id, row.to);
+        line["impossible"] = row.impossible.empty() ? Json() : Json(row.impossible);
+        line["words"] = row.words;
+        object["rows"].push_back(line);
+    }
+    object["everything"] = costJson(costs.everything, index);
+    return object;
 }
 
 Json planJson(const Plan& plan, const SegmentIndex& index) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/cli_output.h"
-#include "core/requirements/requirements.h"
+#include "core/requirements/costs.h"
 
 namespace halfdisk {
 
@@ -17,8 +17,16 @@ std::string planLine(const Plan& plan, const SegmentIndex& index);
 /// Every requirement with its reason, then the plan.
 std::string requirementsText(const RequirementsAnswer& answer, const SegmentIndex& index);
 
+/// What `--explain` tells before the result. `estimator` is the one that was asked for.
+std::string explanation(const RequirementsAnswer& answer, const SegmentIndex& index,
+                        std::string_view estimator);
+
 /// Options of `halfdisk eye` and the like that give the plan without asking again.
 std::string planOptions(const Plan& plan);
+
+/// What skipping or adding each part costs, and what everything together would.
+std::string costsText(const Costs& costs);
+Json costsJson(const Costs& costs, const SegmentIndex& index);
 
 Json planJson(const Plan& plan, const SegmentIndex& index);
 Json requirementsJson(const RequirementsAnswer& answer, const SegmentIndex& index);

@@ -27,6 +27,23 @@ double sizeOf(const std::vector<double>& upTo, std::size_t entry) {
     return entry == 0 ? upTo[0] : upTo[entry] - upTo[entry - 1];
 }
 
+Vec2 drawFrom(const std::vector<double>& skyUpTo, double u) {
+    const Choice bin = choose(skyUpTo, u);
+    const double angle =
+        2.0 * kPi * (static_cast<double>(bin.entry) + bin.within) / static_cast<double>(skyUpTo.size());
+    return {std::cos(angle), std::sin(angle)};
+}
+
+// Out of line: lamps, which are asked far more often, need not make room for what the sky needs.
+[[gnu::noinline]] LightSample sampleSky(const LightTable& table, const std::vector<double>& skyUpTo,
+                                        double u) {
+    const Vec2 direction = drawFrom(skyUpTo, u);
+    const double pdfAngle = table.pdfEnvironment(direction);
+    // At the seam of two bins rounding may name the darker one.
+    if (!(pdfAngle > 0.0)) return {.L = direction};
+    return {.L = direction, .L_i = table.index().environment(direction) / pdfAngle, .pdfAngle = pdfAngle};
+}
+
 }  // namespace
 
 LightTable::LightTable(const SegmentIndex& index, const std::vector<Vec2>& extra) : index_(&index) {
@@ -84,10 +101,7 @@ double LightTable::probability(std::uint32_t light) const {
 }
 
 Vec2 LightTable::drawEnvironment(double u) const {
-    const Choice bin = choose(skyUpTo_, u);
-    const double angle =
-        2.0 * kPi * (static_cast<double>(bin.entry) + bin.within) / static_cast<double>(skyUpTo_.size());
-    return {std::cos(angle), std::sin(angle)};
+    return drawFrom(skyUpTo_, u);
 }
 
 double LightTable::pdfEnvironment(Vec2 direction) const {
@@ -99,12 +113,9 @@ double LightTable::pdfEnvironment(Vec2 direction) const {
 }
 
 LightSample LightTable::sampleFrom(std::uint32_t light, Vec2 P, double u) const {
-    if (light != environmentLight()) return sampleLight(*index_, light, P, u);
-    const Vec2 direction = drawEnvironment(u);
-    const double pdfAngle = pdfEnvironment(direction);
-    // At the seam of two bins rounding may name the darker one.
-    if (!(pdfAngle > 0.0)) return {.L = direction};
-    return {.L = direction, .L_i = index_->environment(direction) / pdfAngle, .pdfAngle = pdfAngle};
+    if (light < index_->scene().lights.size() + index_->emitters().size())
+        return sampleLight(*index_, light, P, u);
+    return sampleSky(*this, skyUpTo_, u);
 }
 
 double LightTable::pdfDrawn(const Ray& ray, const Hit& hit) const {

@@ -49,16 +49,14 @@ std::optional<Scattered> sampleHalfDiskOf(const SurfacePoint& at, Carried carrie
     return way;
 }
 
-}  // namespace
-
-Vec2 roundNormalAt(const SegmentIndex& index, const Hit& hit, Vec2 from, Vec2 N) {
-    const Segment& wall = index.scene().segments[hit.segment];
-    const Vec2 normal = glm::normalize(wall.normalA + hit.u * (wall.normalB - wall.normalA));
-    const Vec2 round = hit.front ? normal : -normal;
-    return glm::dot(round, from) > 0.0 ? round : N;
+// Most walls are flat and matt: they are spared all questions that only others raise. Null if it is another.
+const Diffuse* flatMattWall(const SurfacePoint& at) {
+    const auto* wall = std::get_if<Diffuse>(at.material);
+    return wall && at.round == at.N ? wall : nullptr;
 }
 
-Rgb evalSurface(const SurfacePoint& at, Vec2 toLight, Vec2 toEye) {
+// All other walls. Out of line, so that matt ones need not make room for what these need.
+[[gnu::noinline]] Rgb evalOther(const SurfacePoint& at, Vec2 toLight, Vec2 toEye) {
     if (!isAbove(at, toLight) || !isAbove(at, toEye)) return Rgb(0.0);
     const auto brdf =
         std::visit(Overload{[](const Diffuse& wall) { return evalDiffuse(wall); },
@@ -70,7 +68,7 @@ Rgb evalSurface(const SurfacePoint& at, Vec2 toLight, Vec2 toEye) {
     return brdf * cosineRatio(at, toLight);
 }
 
-double pdfSurface(const SurfacePoint& at, Vec2 from, Vec2 to, Directions directions) {
+[[gnu::noinline]] double pdfOther(const SurfacePoint& at, Vec2 from, Vec2 to, Directions directions) {
     if (!isAbove(at, from) || !isAbove(at, to)) return 0.0;
     if (directions == Directions::halfDisk) return pdfHalfDiskOf(at);
     return std::visit(
@@ -81,8 +79,8 @@ double pdfSurface(const SurfacePoint& at, Vec2 from, Vec2 to, Directions directi
         *at.material);
 }
 
-std::optional<Scattered> sampleSurface(const SurfacePoint& at, Carried carried, const ScatterDraws& draws,
-                                       Directions directions) {
+[[gnu::noinline]] std::optional<Scattered> sampleOther(const SurfacePoint& at, Carried carried,
+                                                       const ScatterDraws& draws, Directions directions) {
     const double coin = draws.coin, u = draws.u, v = draws.v;
     // A mirror's part is not drawn but followed.
     if (directions == Directions::halfDisk && coin >= specularShareOf(at))
@@ -111,6 +109,34 @@ std::optional<Scattered> sampleSurface(const SurfacePoint& at, Carried carried, 
                                                   : evalSurface(at, at.from, drawn->direction);
     drawn->weight = brdf * (glm::dot(at.N, drawn->direction) / drawn->pdfAngle);
     return drawn;
+}
+
+}  // namespace
+
+Vec2 roundNormalAt(const SegmentIndex& index, const Hit& hit, Vec2 from, Vec2 N) {
+    const Segment& wall = index.scene().segments[hit.segment];
+    const Vec2 normal = glm::normalize(wall.normalA + hit.u * (wall.normalB - wall.normalA));
+    const Vec2 round = hit.front ? normal : -normal;
+    return glm::dot(round, from) > 0.0 ? round : N;
+}
+
+Rgb evalSurface(const SurfacePoint& at, Vec2 toLight, Vec2 toEye) {
+    if (const Diffuse* matt = flatMattWall(at))
+        return glm::dot(at.N, toLight) > 0.0 && glm::dot(at.N, toEye) > 0.0 ? evalDiffuse(*matt) : Rgb(0.0);
+    return evalOther(at, toLight, toEye);
+}
+
+double pdfSurface(const SurfacePoint& at, Vec2 from, Vec2 to, Directions directions) {
+    if (flatMattWall(at) && directions == Directions::lobe)
+        return glm::dot(at.N, from) > 0.0 && glm::dot(at.N, to) > 0.0 ? pdfDiffuse(at.N, to) : 0.0;
+    return pdfOther(at, from, to, directions);
+}
+
+std::optional<Scattered> sampleSurface(const SurfacePoint& at, Carried carried, const ScatterDraws& draws,
+                                       Directions directions) {
+    if (directions == Directions::lobe)
+        if (const Diffuse* matt = flatMattWall(at)) return sampleDiffuse(*matt, at.N, draws.u);
+    return sampleOther(at, carried, draws, directions);
 }
 
 Ray leave(const SegmentIndex& index, const SurfacePoint& at, const Scattered& scattered,

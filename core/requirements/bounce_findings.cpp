@@ -7,7 +7,7 @@
 namespace halfdisk {
 namespace {
 
-constexpr std::uint64_t kSeriesRays = 100'000;
+constexpr double kSeriesRays = 100'000.0;
 constexpr double kSure = 2.0;  // standard errors that a measured share is taken for larger
 
 /// A way that finds all light, to be followed deep.
@@ -50,7 +50,9 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
                                   std::uint64_t& rays) {
     const Problem problem{
         .index = question.index, .sensor = question.sensor, .seed = question.seed, .stop = question.stop};
-    const Pilot all = pilot(problem, series.plan, {.rays = kSeriesRays, .leastPasses = 16});
+    const Pilot all =
+        pilot(problem, series.plan,
+              {.rays = static_cast<std::uint64_t>(question.effort * kSeriesRays), .leastPasses = 16});
     rays += all.rays;
     std::vector<BeyondDepth> shares;
     for (const std::uint32_t depth : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u, 16u, 20u, 24u, 32u}) {
@@ -99,6 +101,7 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
     if (bounces.patches) {
         // All of them are there, those too that chance rarely finds.
         bounces.depth = static_cast<std::uint32_t>(bounces.patches->beyond.size() - 1);
+        bounces.required = bounces.depth;
         bounces.missing = {bounces.depth, bounces.patches->beyond.back(), 0.0};
         return bounces;
     }
@@ -106,6 +109,7 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
     if (bounces.byAlbedo) bounces.depth = std::min(bounces.depth, *bounces.byAlbedo);
     for (const BeyondDepth& beyond : bounces.measured)
         if (beyond.depth <= bounces.depth) bounces.missing = beyond;
+    bounces.required = bounces.depth;
     return bounces;
 }
 

@@ -1,6 +1,7 @@
 #include "core/requirements/patch_bounces.h"
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 
 #include "core/arc_measure.h"
@@ -134,6 +135,7 @@ Sums sumsOf(const Row& light, const Row& weights) {
 /// beyond[D] of one channel.
 Row beyondOf(const Exchange& exchange, const Row& albedo, const Row& direct, const Row& weights,
              double tolerance, const StopQuestion& stop) {
+    const double places = std::accumulate(weights.begin(), weights.end(), 0.0);
     // Light that arrives after exactly k scatterings, and the sums of all up to there.
     std::vector<Row> upTo{direct};
     Row light = direct;
@@ -144,7 +146,9 @@ Row beyondOf(const Exchange& exchange, const Row& albedo, const Row& direct, con
         Row sum = upTo.back();
         for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += light[i];
         upTo.push_back(std::move(sum));
-        if (sumsOf(light, weights).mean <= 1e-3 * tolerance * sumsOf(upTo.back(), weights).mean) break;
+        // Nowhere in the room, not only at the sensor: a bounce may bring it nothing, and the next one a lot.
+        const double most = *std::max_element(light.begin(), light.end());
+        if (most <= 1e-3 * tolerance * sumsOf(upTo.back(), weights).mean / places) break;
     }
     const Sums all = sumsOf(upTo.back(), weights);
     Row beyond;

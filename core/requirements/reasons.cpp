@@ -92,6 +92,10 @@ std::string misReason(const RequirementsAnswer& answer) {
     if (!answer.facts.traits.area)
         return "no lamp and no environment: no light can be found in two ways" +
                std::string(answer.plan.way.mis ? ", but joined paths can be joined in several" : "");
+    if (answer.facts.lampInCorner && answer.plan.way.mis)
+        return "a lamp touches a wall that it lights: what a point on it brings has no bound there, and rays "
+               "that meet "
+               "it by chance must share it";
     const auto weighs = [](const Candidate& candidate) { return candidate.plan.way.mis; };
     return orElse(factor(answer, weighs, "weighing two ways", "one way alone"),
                   "the other ways can't do without");

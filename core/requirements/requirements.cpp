@@ -52,7 +52,8 @@ bool asksLights(const Way& way, const SceneTraits& traits) {
     return way.lightSampling || (way.emitters == "hit" && traits.delta);
 }
 
-bool isAllowed(const Way& way, const RequirementsQuestion& question, const SceneTraits& traits) {
+bool isAllowed(const Way& way, const RequirementsQuestion& question, const SceneFacts& facts) {
+    const SceneTraits& traits = facts.traits;
     const auto agrees = [&](RequirementId id, bool value) {
         const auto wanted = forcedTo(question, id);
         return !wanted || (*wanted != 0) == value;
@@ -60,6 +61,10 @@ bool isAllowed(const Way& way, const RequirementsQuestion& question, const Scene
     // With nothing to be met, all three ways of `path` are the same; with nothing to be met or asked too.
     if (!traits.area && way.estimator == "path" && !forcedTo(question, RequirementId::mis) &&
         way.emitters != "sample")
+        return false;
+    // Next to a lamp the light that asking brings has no bound, and few rays don't show it.
+    const bool rough = facts.lampInCorner || std::holds_alternative<Field>(question.sensor);
+    if (traits.area && rough && way.emitters == "sample" && !forcedTo(question, RequirementId::mis))
         return false;
     const auto roulette = forcedTo(question, RequirementId::roulette);
     return agrees(RequirementId::lightSampling, asksLights(way, traits)) &&
@@ -97,7 +102,7 @@ class Search {
             for (const Way& way : allWays()) {
                 const bool complete = isComplete(way, question_.index, question_.sensor, depth());
                 const int rank = complete ? (way.unbiased ? 0 : 1) : 2;
-                if (rank == round && isAllowed(way, question_, answer_.facts.traits)) tryWay(way);
+                if (rank == round && isAllowed(way, question_, answer_.facts)) tryWay(way);
             }
             if (!answer_.candidates.empty()) break;
         }
@@ -146,9 +151,10 @@ class Search {
         const bool rare = answer_.facts.traits.specular && answer_.facts.traits.area;
         const Problem problem{
             .index = question_.index, .sensor = small_, .seed = question_.seed, .stop = question_.stop};
+        const double rays = question_.effort * (rare ? 400'000.0 : 80'000.0);
         try {
             answer_.candidates.push_back(
-                {plan, pilot(problem, plan, {.rays = rare ? 400'000u : 80'000u}), false});
+                {plan, pilot(problem, plan, {.rays = static_cast<std::uint64_t>(rays)}), false});
             answer_.rays += answer_.candidates.back().pilot.rays;
         } catch (const std::invalid_argument& why) {
             refusal_ = why.what();
@@ -179,6 +185,28 @@ class Search {
     std::string refusal_;
 };
 
+void cutAt(std::uint32_t depth, BounceFindings& bounces) {
+    bounces.depth = depth;
+    bounces.missing.reset();
+    if (bounces.patches) {
+        const std::vector<double>& beyond = bounces.patches->beyond;
+        const std::size_t known = std::min<std::size_t>(depth, beyond.size() - 1);
+        bounces.missing = {static_cast<std::uint32_t>(known), beyond[known], 0.0};
+        return;
+    }
+    for (const BeyondDepth& beyond : bounces.measured)
+        if (beyond.depth <= depth) bounces.missing = beyond;
+}
+
+// What is tried must not be what is then shown: choosing by the same random numbers would favour them.
+std::uint64_t tried(std::uint64_t seed) {
+    return ~seed;
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
 void refuseForced(const RequirementsQuestion& question) {
     for (const Forced& forced : question.forced) {
         const RequirementInfo& info = infoOf(forced.id);
@@ -194,25 +222,44 @@ RequirementsAnswer requirementsOf(const RequirementsQuestion& question) {
     refuseForced(question);
     if (const std::string fault = faultOf(question.sensor, question.index); !fault.empty())
         throw std::invalid_argument(fault);
+    const Sensor small = pilotSensor(question.sensor);
     RequirementsAnswer answer;
     answer.tolerance = question.tolerance;
     answer.facts = factsOf(question.index.scene());
     answer.pathTypes = pathTypesOf(answer.facts, question.sensor);
-    answer.plan.maxSpecular =
-        forcedTo(question, RequirementId::specular).value_or(specularOf(answer.facts, question.tolerance));
     answer.escapes = escapesOf(question.index);
-    if (const auto index = forcedTo(question, RequirementId::index))
-        answer.plan.index = *index != 0 ? IndexMethod::tree : IndexMethod::bruteForce;
-
-    const Sensor small = pilotSensor(question.sensor);
-    RequirementsQuestion ofSmall{question.index,  small,         question.tolerance,
-                                 question.forced, question.seed, question.stop};
     if (answer.facts.traits.delta || answer.facts.traits.area)
-        answer.bounces = findBounces(ofSmall, answer.facts, answer.plan.maxSpecular, answer.rays);
-    if (const auto depth = forcedTo(question, RequirementId::bounces)) answer.bounces.depth = *depth;
-    Search(question, small, answer).choose();
-    answer.requirements = requirementRows(question, answer);
-    answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        answer.bounces = findBounces({question.index,
+                                      small,
+                                      question.tolerance,
+                                      {},
+                                      tried(question.seed),
+                                      question.stop,
+                                      question.effort},
+                                     answer.facts, specularOf(answer.facts, question.tolerance), answer.rays);
+    answer = replanned(question, answer);
+    answer.seconds = secondsSince(start);
+    return answer;
+}
+
+RequirementsAnswer replanned(const RequirementsQuestion& question, const RequirementsAnswer& known) {
+    const auto start = std::chrono::steady_clock::now();
+    refuseForced(question);
+    RequirementsQuestion asked = question;
+    asked.seed = tried(question.seed);
+    RequirementsAnswer answer = known;
+    answer.candidates.clear();
+    answer.loses.clear();
+    answer.plan = {};
+    answer.plan.maxSpecular =
+        forcedTo(asked, RequirementId::specular).value_or(specularOf(answer.facts, asked.tolerance));
+    if (const auto index = forcedTo(asked, RequirementId::index))
+        answer.plan.index = *index != 0 ? IndexMethod::tree : IndexMethod::bruteForce;
+    cutAt(forcedTo(asked, RequirementId::bounces).value_or(answer.bounces.required), answer.bounces);
+    const Sensor small = pilotSensor(asked.sensor);
+    Search(asked, small, answer).choose();
+    answer.requirements = requirementRows(asked, answer);
+    answer.seconds = secondsSince(start);
     return answer;
 }
 

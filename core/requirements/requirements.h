@@ -23,6 +23,7 @@ struct RequirementsQuestion {
     std::vector<Forced> forced{};
     std::uint64_t seed = kSeedInfo.initial;
     StopQuestion stop{};
+    double effort = 1.0;  ///< rays cast to find out, in parts of the usual number
 };
 
 /// A kind of path: which light comes by it.
@@ -41,6 +42,7 @@ struct BeyondDepth {
 
 /// What is known of the bounces, from three sides.
 struct BounceFindings {
+    std::uint32_t required = 0;             ///< by itself, whatever is forced
     std::uint32_t depth = 0;                ///< the plan's
     std::optional<std::uint32_t> byAlbedo;  ///< bound by the largest albedo; none: it is 1
     std::optional<PatchBounces> patches;    ///< of matt rooms
@@ -79,6 +81,10 @@ struct RequirementsAnswer {
 /// Throws std::invalid_argument, with words for the user, for sensors that can't be used, and if no way does
 /// what is forced; Stopped if question.stop says so.
 RequirementsAnswer requirementsOf(const RequirementsQuestion& question);
+
+/// The same with other things forced, faster: what is known of the scene stays. The other parts of the
+/// question must be as they were.
+RequirementsAnswer replanned(const RequirementsQuestion& question, const RequirementsAnswer& known);
 
 /// Whether the ways of a plan are what this requires to be on (1), off (0), or so many.
 std::uint32_t valueIn(const Plan& plan, RequirementId id, const SceneTraits& traits,

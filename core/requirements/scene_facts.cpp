@@ -104,6 +104,39 @@ void boundChain(const Scene& scene, SceneFacts& facts) {
     }
 }
 
+double distanceTo(Vec2 P, const Segment& wall) {
+    const Vec2 along = wall.b - wall.a;
+    const double u = std::clamp(glm::dot(P - wall.a, along) / glm::dot(along, along), 0.0, 1.0);
+    return glm::length(P - (wall.a + u * along));
+}
+
+/// How far it rises above the lamp's line on the side where that shines, m.
+double riseOver(const Segment& lamp, const Segment& wall) {
+    const Vec2 N = frontNormal(lamp);
+    const double a = glm::dot(N, wall.a - lamp.a), b = glm::dot(N, wall.b - lamp.a);
+    return lamp.twoSided ? std::max(std::abs(a), std::abs(b)) : std::max(a, b);
+}
+
+bool hasLampInCorner(const Scene& scene) {
+    constexpr double kNear = 0.02;                 // of the lamp's length
+    constexpr std::size_t kMostPairs = 4'000'000;  // more are not looked at: taken as near
+    std::vector<const Segment*> lamps;
+    for (const Segment& wall : scene.segments)
+        if (isEmitter(wall)) lamps.push_back(&wall);
+    if (lamps.size() * scene.segments.size() > kMostPairs) return true;
+    for (const Segment* lamp : lamps) {
+        const double near = kNear * glm::length(lamp->b - lamp->a);
+        for (const Segment& wall : scene.segments) {
+            if (&wall == lamp || isSpecular(scene.materials[wall.material]) || riseOver(*lamp, wall) <= near)
+                continue;
+            const double gap = std::min({distanceTo(lamp->a, wall), distanceTo(lamp->b, wall),
+                                         distanceTo(wall.a, *lamp), distanceTo(wall.b, *lamp)});
+            if (gap <= near) return true;
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 SceneFacts factsOf(const Scene& scene) {
@@ -123,6 +156,7 @@ SceneFacts factsOf(const Scene& scene) {
         facts.grey = facts.grey && isGrey(wall.emission) && isGreyMaterial(scene.materials[wall.material]);
         addMaterial(scene.materials[wall.material], facts);
     }
+    facts.lampInCorner = hasLampInCorner(scene);
     boundChain(scene, facts);
     return facts;
 }

@@ -14,7 +14,10 @@ struct SceneFacts {
     double mostAlbedo = 0.0;       ///< share that any wall scatters of what arrives, at most; of any channel
     double mostReflectance = 0.0;  ///< of mirrors
     double mostExponent = 0.0;     ///< of lobes
-    bool grey = true;              ///< no light and no wall differs by channel
+    /// A lamp shines on a wall so near that what a point on it brings, cos cos' / r, is no longer bounded by
+    /// much: two hundredths of the lamp's length, or it touches.
+    bool lampInCorner = false;
+    bool grey = true;  ///< no light and no wall differs by channel
     /// Mirror and glass events in a row, if geometry has a bound.
     std::optional<std::uint32_t> longestChain;
     std::string chainReason;  ///< why it has, or has not

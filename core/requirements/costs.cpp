@@ -1,0 +1,166 @@
+#include "core/requirements/costs.h"
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+#include "core/requirements/words.h"
+
+namespace halfdisk {
+namespace {
+
+/// Other random numbers than those that the plan was chosen by: it would seem better than it is.
+constexpr std::uint64_t kOther = 0x5bd1e9955bd1e995;
+
+/// The index that a plan wants: the question's own, or one made for it.
+struct PlannedIndex {
+    PlannedIndex(const SegmentIndex& own, IndexMethod method) : index(&own) {
+        if (method != IndexMethod::automatic && method != own.method())
+            index = &made.emplace(own.scene(), method);
+    }
+    std::optional<SegmentIndex> made;
+    const SegmentIndex* index;
+};
+
+Pilot run(const RequirementsQuestion& question, const Sensor& small, const Plan& plan,
+          const PilotLimits& limits) {
+    const PlannedIndex planned(question.index, plan.index);
+    const Problem problem{
+        .index = *planned.index, .sensor = small, .seed = question.seed ^ kOther, .stop = question.stop};
+    return pilot(problem, plan, limits);
+}
+
+// The same way with the same random numbers differs by just what was changed: pass by pass.
+double errorOfChange(const PlanCost& cost, const Pilot& other, bool paired) {
+    if (!paired)
+        return std::sqrt(cost.pilot.meanError * cost.pilot.meanError + other.meanError * other.meanError);
+    const double n = static_cast<double>(other.totals.size());
+    const double mean = cost.pilot.mean - other.mean;
+    double squares = 0.0;
+    for (std::size_t k = 0; k < other.totals.size(); ++k) {
+        const double off = cost.pilot.totals[k] - other.totals[k] - mean;
+        squares += off * off;
+    }
+    return n > 1.0 ? std::sqrt(squares / (n - 1.0) / n) : 0.0;
+}
+
+double changeOfPixels(const Pilot& pilot, const Pilot& other, bool paired) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < pilot.picture.size(); ++i) {
+        const Rgb off = pilot.picture[i] - other.picture[i];
+        sum += glm::dot(off, off) / (3.0 * static_cast<double>(pilot.picture.size()));
+    }
+    const double noise = pilot.variance / static_cast<double>(pilot.passes) +
+                         other.variance / static_cast<double>(other.passes);
+    const double left = paired ? sum : sum - noise;
+    return left > 0.0 && other.square > 0.0 ? std::sqrt(left / other.square) : 0.0;
+}
+
+PlanCost beside(const RequirementsQuestion& question, const Sensor& small, const Plan& plan,
+                const Plan& other, const Pilot& known, const CostLimits& limits) {
+    PlanCost cost{.plan = plan, .pilot = {}};
+    // Roulette is drawn beside the path, which stays the same up to its end.
+    const bool paired = plan.way == other.way;
+    const PilotLimits wanted =
+        paired ? PilotLimits{.rays = 0, .leastPasses = known.passes, .mostPasses = known.passes}
+               : PilotLimits{.rays = limits.rays};
+    double fastest = kInfinity, fastestOther = known.secondsPerRay();
+    for (int repeat = 0; repeat < limits.repeats; ++repeat) {
+        cost.pilot = run(question, small, plan, wanted);
+        fastest = std::min(fastest, cost.pilot.secondsPerRay());
+        const Pilot again =
+            run(question, small, other, {.rays = 0, .leastPasses = known.passes, .mostPasses = known.passes});
+        fastestOther = std::min(fastestOther, again.secondsPerRay());
+    }
+    if (known.mean > 0.0) {
+        cost.change = (cost.pilot.mean - known.mean) / known.mean;
+        cost.changeError = errorOfChange(cost, known, paired) / known.mean;
+    }
+    cost.changeOfPixels = changeOfPixels(cost.pilot, known, paired);
+    const double noise = cost.pilot.variance * cost.pilot.raysPerPass(),
+                 noiseOther = known.variance * known.raysPerPass();
+    if (noiseOther > 0.0) cost.raysFactor = noise / noiseOther;
+    if (noiseOther == 0.0 && noise > 0.0) cost.raysFactor = kInfinity;
+    if (fastestOther > 0.0) cost.timePerRayFactor = fastest / fastestOther;
+    return cost;
+}
+
+std::string wordsOf(const RequirementCost& row) {
+    if (!row.impossible.empty()) return row.impossible;
+    const PlanCost& cost = row.cost;
+    std::string text;
+    const double sure = 2.0 * cost.changeError;
+    if (std::abs(cost.change) > sure && std::abs(cost.change) > 1e-9) {
+        text = words::joined("light changes by ", words::number(100.0 * cost.change), " % (± ",
+                             words::number(100.0 * sure, 1), " %)");
+    } else if (cost.changeError > 0.0) {
+        text = words::joined("no light is lost (within ", words::number(100.0 * sure, 1), " %)");
+    } else {
+        text = "light stays the same";
+    }
+    text += words::joined("; ", words::number(cost.raysFactor, 3), " times the rays to the same noise, ",
+                          words::number(cost.timePerRayFactor, 2), " times the time per ray");
+    return text;
+}
+
+/// What to change each requirement to.
+std::vector<std::uint32_t> flipsOf(RequirementId id, std::uint32_t value) {
+    if (infoOf(id).kind == Switch::none) return {};
+    if (infoOf(id).kind == Switch::onOff) return {value != 0 ? 0u : 1u};
+    if (id == RequirementId::specular)
+        return {value != 0 ? 0u : static_cast<std::uint32_t>(kMaxSpecularInfo.initial)};
+    const std::uint32_t more =
+        std::min<std::uint32_t>(std::max(1u, 2 * value), static_cast<std::uint32_t>(kMaxDepthInfo.most));
+    if (value == 0) return {more};
+    return {value - 1, more};
+}
+
+}  // namespace
+
+PlanCost compareCost(const RequirementsQuestion& question, const Plan& plan, const Plan& other,
+                     const CostLimits& limits, Pilot* otherPilot) {
+    const Sensor small = pilotSensor(question.sensor);
+    const Pilot known = run(question, small, other, {.rays = limits.rays});
+    if (otherPilot) *otherPilot = known;
+    return beside(question, small, plan, other, known, limits);
+}
+
+Costs costsOf(const RequirementsQuestion& question, const RequirementsAnswer& answer,
+              const CostLimits& limits) {
+    const auto start = std::chrono::steady_clock::now();
+    const Sensor small = pilotSensor(question.sensor);
+    Costs costs;
+    costs.plan = run(question, small, answer.plan, {.rays = limits.rays});
+    for (const RequirementInfo& info : kRequirements) {
+        const std::uint32_t value = valueIn(answer.plan, info.id, answer.facts.traits, question.index);
+        for (const std::uint32_t flipped : flipsOf(info.id, value)) {
+            RequirementCost row{
+                .id = info.id, .from = value, .to = flipped, .impossible = {}, .cost = {}, .words = {}};
+            RequirementsQuestion forced = question;
+            std::erase_if(forced.forced, [&](const Forced& one) { return one.id == info.id; });
+            forced.forced.push_back({info.id, flipped});
+            try {
+                const RequirementsAnswer other = replanned(forced, answer);
+                row.cost = beside(question, small, other.plan, answer.plan, costs.plan, limits);
+            } catch (const std::invalid_argument& why) {
+                row.impossible = why.what();
+            }
+            row.words = wordsOf(row);
+            costs.rows.push_back(std::move(row));
+        }
+    }
+    const auto usual = static_cast<std::uint32_t>(kMaxSpecularInfo.initial);
+    try {
+        costs.everything = beside(question, small,
+                                  everythingOn(question.index, question.sensor, answer.plan.maxDepth,
+                                               std::max(usual, answer.plan.maxSpecular)),
+                                  answer.plan, costs.plan, limits);
+    } catch (const std::invalid_argument&) {
+        costs.everything.plan = answer.plan;
+        costs.everything.pilot = costs.plan;
+    }
+    costs.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return costs;
+}
+
+}  // namespace halfdisk

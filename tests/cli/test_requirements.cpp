@@ -1,0 +1,127 @@
+// Does `halfdisk requirements` tell what a scene requires, and does `--estimator auto` do it?
+#include <doctest/doctest.h>
+
+#include "result_files.h"
+#include "run_program.h"
+
+using namespace halfdisk_test;
+
+namespace {
+
+Json asked(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "requirements");
+    arguments.emplace_back("--json");
+    const Outcome outcome = runProgram(arguments);
+    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+    return Json::parse(outcome.out);
+}
+
+Json rowOf(const Json& answer, const std::string& id) {
+    for (const Json& row : answer["requirements"])
+        if (row["id"] == id) return row;
+    FAIL("no requirement ", id);
+    return {};
+}
+
+void refused(std::vector<std::string> arguments, const std::string& words) {
+    const Outcome outcome = runProgram(arguments);
+    CHECK(outcome.exitCode == 2);
+    CHECK_MESSAGE(outcome.err.find(words) != std::string::npos, outcome.err);
+}
+
+}  // namespace
+
+TEST_CASE("requirements: a matt court needs no mirrors, a glass disk in the sun needs paths from the light") {
+    const Json court = asked({shippedScene("open_court.toml")});
+    CHECK(rowOf(court, "specular")["on"] == false);
+    CHECK(rowOf(court, "light-pass")["on"] == false);
+    CHECK(court["plan"]["specular"] == 0);
+    const Json disk = asked({shippedScene("glass_disk.toml"), "--walls", "floor"});
+    CHECK(rowOf(disk, "light-pass")["on"] == true);
+    CHECK(rowOf(disk, "light-pass")["reason"].get<std::string>().find("never find it") != std::string::npos);
+    CHECK(disk["plan"]["specular"].get<int>() > 0);
+}
+
+TEST_CASE("requirements: one closed form where nothing is in the way, and it is told in words") {
+    const Outcome outcome = runProgram(
+        {"requirements", shippedScene("open_court.toml"), "--at", "floor:0.5", "--tolerance", "0.05"});
+    CHECK(outcome.exitCode == 0);
+    CHECK(outcome.out.find("estimator closed-form") != std::string::npos);
+    CHECK(outcome.out.find("spectral radius") != std::string::npos);
+}
+
+TEST_CASE("requirements: costs have a row for each switch") {
+    const Json answer = asked({shippedScene("open_court.toml"), "--costs", "--rays", "5000"});
+    std::size_t switchable = 0;
+    for (const Json& row : answer["requirements"]) switchable += row["switchable"] == true ? 1 : 0;
+    CHECK(answer["costs"]["rows"].size() >= switchable);
+    CHECK(answer["costs"]["everything"]["estimator"] == "bidirectional");
+}
+
+TEST_CASE("--estimator auto: runs the plan, tells it, and its command gives the same again") {
+    const TemporaryFolder folder;
+    const std::string first = (folder / "a.json").string(), second = (folder / "b.pfm").string();
+    const Outcome outcome =
+        runProgram({"eye", shippedScene("diffuse_room.toml"), "--estimator", "auto", "--explain", "--samples",
+                    "2", "--width", "8", "-o", first, "-o", second});
+    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+    CHECK(outcome.out.find("bounces") != std::string::npos);
+    CHECK(outcome.out.find("plan: ") != std::string::npos);
+    const Json result = Json::parse(readFile(first));
+    CHECK(result["estimator"] != "auto");
+    CHECK(result["command"].get<std::string>().find("auto") == std::string::npos);
+    CHECK(result["depth"].get<int>() > 3);
+    CHECK(result["specular"] == 0);
+}
+
+TEST_CASE("--estimator auto: a depth that is given is kept, and so is what is forced") {
+    const std::vector<std::string> probe{"probe",       shippedScene("diffuse_room.toml"),
+                                         "--at",        "floor:0.5",
+                                         "--estimator", "auto",
+                                         "--samples",   "10",
+                                         "--json"};
+    const auto with = [&](std::vector<std::string> more) {
+        std::vector<std::string> all = probe;
+        all.insert(all.end(), more.begin(), more.end());
+        const Outcome outcome = runProgram(all);
+        REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+        return Json::parse(outcome.out);
+    };
+    CHECK(with({"--depth", "2"})["depth"] == 2);
+    CHECK(with({"--force", "bounces=3"})["depth"] == 3);
+    CHECK(with({"--force", "light-pass=on"})["requirements"]["plan"]["estimator"] != "path");
+    CHECK(with({"--force", "roulette=off"})["parameters"]["roulette"] == 0.0);
+}
+
+TEST_CASE("--explain with any estimator tells what auto would do, and changes nothing") {
+    const std::vector<std::string> plain{"probe", shippedScene("open_court.toml"), "--at", "floor:0.5",
+                                         "--json"};
+    std::vector<std::string> explained = plain;
+    explained.emplace_back("--explain");
+    Json a = Json::parse(runProgram(plain).out), b = Json::parse(runProgram(explained).out);
+    CHECK(a["irradiance"] == b["irradiance"]);
+    CHECK(!a.contains("requirements"));
+    CHECK(b["requirements"]["plan"].contains("estimator"));
+}
+
+TEST_CASE("requirements: what can't be asked is refused in words") {
+    const std::string scene = shippedScene("open_court.toml");
+    refused({"requirements", scene, "--force", "mis"}, "expected NAME=on");
+    refused({"requirements", scene, "--force", "mos=on"}, "names no requirement");
+    refused({"requirements", scene, "--force", "mis=3"}, "expected on or off");
+    refused({"requirements", scene, "--force", "bounces=-1"}, "expected off or a whole number");
+    refused({"requirements", scene, "--force", "colour=off"}, "can't be switched");
+    refused({"requirements", scene, "--force", "mis=on", "--force", "mis=off"}, "given twice");
+    refused({"requirements", scene, "--tolerance", "0"}, "--tolerance");
+    refused({"requirements", scene, "--sensor", "probe"}, "expected --at");
+    refused({"requirements", scene, "--sensor", "nose"}, "--sensor");
+    refused({"requirements", "/nowhere.toml"}, "nowhere");
+    refused({"requirements", scene, "--force", "photon-pass=on", "--force", "light-pass=off"}, "no way");
+    refused({"probe", scene, "--at", "floor:0.5", "--force", "mis=on"}, "--estimator auto");
+    refused({"probe", scene, "--at", "floor:0.5", "--tolerance", "0.1"}, "--tolerance is for");
+    refused({"probe", scene, "--at", "floor:0.5", "--estimator", "auto", "--param", "roulette=0"},
+            "expected --force");
+    refused(
+        {"probe", scene, "--at", "floor:0.5", "--estimator", "auto", "--depth", "1", "--force", "bounces=1"},
+        "exclude each other");
+}

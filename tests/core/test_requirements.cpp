@@ -1,0 +1,232 @@
+// Are the facts right on which plans stand: how many mirrors in a row, how many bounces, what is refused?
+#include <doctest/doctest.h>
+
+#include "core/requirements/costs.h"
+#include "rooms.h"
+#include "support.h"
+
+using namespace halfdisk;
+using namespace halfdisk::test;
+
+namespace {
+
+std::uint32_t addMirror(Scene& scene, Vec2 a, Vec2 b, double reflectance = 0.9) {
+    const std::uint32_t wall = addWall(scene, a, b);
+    scene.materials.back() = Mirror{Rgb(reflectance)};
+    return wall;
+}
+
+/// Longest chain of mirrors among many rays that are sent through a scene of mirrors.
+std::uint32_t longestChain(const Scene& scene) {
+    const SegmentIndex index(scene);
+    Random random(5);
+    std::uint32_t longest = 0;
+    for (int k = 0; k < 20'000; ++k) {
+        Ray ray{random.pointIn(-1.0, 1.0), random.direction()};
+        std::uint32_t chain = 0;
+        for (Hit hit = index.closestHit(ray); hit && chain < 500; hit = index.closestHit(ray)) {
+            const SurfacePoint at = surfaceAt(index, ray, hit);
+            ray = leave(index, at, *sampleSurface(at, Carried::radiance, {0.5, 0.5, 0.5}), ++chain);
+        }
+        longest = std::max(longest, chain);
+    }
+    return longest;
+}
+
+RequirementsAnswer ask(const Scene& scene, std::vector<Forced> forced = {}, double tolerance = 0.01) {
+    const SegmentIndex index(scene);
+    const Sensor sensor = Profile{{0}, 8};
+    RequirementsAnswer answer = requirementsOf(
+        {.index = index, .sensor = sensor, .tolerance = tolerance, .forced = std::move(forced)});
+    return answer;
+}
+
+}  // namespace
+
+TEST_CASE("requirements: the table is in the order of its ids, each named once") {
+    for (std::size_t i = 0; i < kRequirements.size(); ++i) {
+        CHECK(static_cast<std::size_t>(kRequirements[i].id) == i);
+        CHECK((kRequirements[i].kind == Switch::none) == !kRequirements[i].fixed.empty());
+        for (std::size_t j = 0; j < i; ++j) CHECK(kRequirements[i].name != kRequirements[j].name);
+    }
+}
+
+TEST_CASE("requirements: bounds on chains of mirrors hold, and are reached within one event or so") {
+    Scene none = litBox();
+    CHECK(factsOf(none).longestChain == 0u);
+    Scene one = none;
+    addMirror(one, {-0.5, 0.4}, {0.5, 0.6});
+    CHECK(factsOf(one).longestChain == 1u);
+    for (const double degrees : {90.0, 45.0, 31.0, 20.0}) {
+        Scene two;
+        const double angle = degrees * kPi / 180.0;
+        addMirror(two, {0.0, 0.0}, {1.0, 0.0});
+        addMirror(two, {0.0, 0.0}, {std::cos(angle), std::sin(angle)});
+        const auto bound = factsOf(two).longestChain;
+        REQUIRE(bound.has_value());
+        const std::uint32_t seen = longestChain(two);
+        CHECK(seen <= *bound);
+        CHECK(seen + 2 >= *bound);
+    }
+    Scene parallel;
+    addMirror(parallel, {0.0, 0.0}, {1.0, 0.0});
+    addMirror(parallel, {0.0, 1.0}, {1.0, 1.0});
+    CHECK(!factsOf(parallel).longestChain.has_value());
+    Scene glass = none;
+    addMirror(glass, {-0.5, 0.4}, {0.5, 0.6});
+    glass.materials.back() = Dielectric{1.5, Rgb(0.0)};
+    CHECK(!factsOf(glass).longestChain.has_value());
+}
+
+TEST_CASE("requirements: the bound by albedo is the geometric series") {
+    CHECK(scatteringsUntil(0.0, 0.01) == 0u);
+    CHECK(!scatteringsUntil(1.0, 0.01).has_value());
+    for (const double share : {0.1, 0.5, 0.9})
+        for (const double tolerance : {0.1, 0.01}) {
+            const auto D = scatteringsUntil(share, tolerance);
+            REQUIRE(D.has_value());
+            const auto left = [&](double d) { return std::pow(share, d + 1.0) / (1.0 - share); };
+            CHECK(left(*D) <= tolerance * (1.0 + 1e-9));
+            if (*D > 0) CHECK(left(*D - 1.0) > tolerance);
+        }
+}
+
+TEST_CASE(
+    "requirements: in a closed room of one albedo the spectral radius is that albedo, and so are bounces") {
+    // Where all walls shine alike, each bounce brings the albedo's part of the one before: D scatterings
+    // leave albedo^(D + 1) of the light.
+    const Scene room = polygonRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}}, Rgb(0.6), Rgb(1.0));
+    const SegmentIndex index(room);
+    const Sensor sensor = Profile{{0}, 4};
+    const auto bounces = patchBounces(index, sensor, 0.01);
+    REQUIRE(bounces.has_value());
+    CHECK(bounces->spectralRadius == doctest::Approx(0.6).epsilon(1e-4));
+    REQUIRE(bounces->beyond.size() >= 9);
+    for (std::size_t D = 0; D < 9; ++D)
+        CHECK(bounces->beyond[D] ==
+              doctest::Approx(std::pow(0.6, static_cast<double>(D) + 1.0)).epsilon(2e-3));
+    CHECK(bounces->beyond.size() == 10);  // 0.6^10 = 0.0060 is the first one below 0.01
+}
+
+TEST_CASE("requirements: a bounce that brings nothing is not the last one") {
+    // Of what the floor scatters, nothing meets the floor; of what the ceiling makes of it, much does.
+    Scene scene;
+    addWall(scene, {0.0, 0.0}, {3.0, 0.0}, Rgb(0.6));
+    addWall(scene, {3.0, 1.5}, {0.0, 1.5}, Rgb(0.6));
+    addWall(scene, {1.6, 1.3}, {1.4, 1.3}, Rgb(0.6), Rgb(2.0));
+    const SegmentIndex index(scene);
+    const auto bounces = patchBounces(index, Profile{{0}, 4}, 0.01);
+    REQUIRE(bounces.has_value());
+    REQUIRE(bounces->beyond.size() > 2);
+    CHECK(bounces->beyond[0] > 0.05);
+    CHECK(bounces->beyond[1] > 0.05);
+}
+
+TEST_CASE("requirements: bounces by patches agree with paths") {
+    const Scene scene = litBox();
+    const RequirementsAnswer answer = ask(scene, {}, 0.01);
+    REQUIRE(answer.bounces.patches.has_value());
+    REQUIRE(answer.bounces.measured.size() > 2);
+    for (const BeyondDepth& beyond : answer.bounces.measured) {
+        if (beyond.depth >= answer.bounces.patches->beyond.size()) continue;
+        // The patches' share is the worst of three channels and of two means: never less.
+        CHECK(answer.bounces.patches->beyond[beyond.depth] >
+              beyond.share - 4.0 * beyond.standardError - 0.003);
+        CHECK(answer.bounces.patches->beyond[beyond.depth] < 1.6 * beyond.share + 0.02);
+    }
+}
+
+TEST_CASE("requirements: what is not there is not modelled") {
+    const RequirementsAnswer matt = ask(litBox());
+    CHECK(matt.plan.maxSpecular == 0);
+    CHECK(!matt.of(RequirementId::mis).on);
+    CHECK(matt.of(RequirementId::lightSampling).on);
+    CHECK(!matt.of(RequirementId::photonPass).on);
+    CHECK(!matt.of(RequirementId::index).on);
+    CHECK(matt.plan.way.unbiased);
+    // Black walls: what comes straight from a lamp is all, and a formula gives it.
+    Scene black = litBox();
+    black.materials.front() = Diffuse{Rgb(0.0)};
+    black.lights.clear();
+    addWall(black, {0.5, 1.2}, {-0.5, 1.2}, Rgb(0.0), Rgb(1.0));
+    const SegmentIndex blackIndex(black);
+    const Sensor probe = Probe{{{0.2, 0.0}, {0.0, 1.0}, 0}};
+    const RequirementsAnswer straight = requirementsOf({.index = blackIndex, .sensor = probe});
+    CHECK(straight.plan.maxDepth == 0);
+    CHECK(straight.plan.estimator->id == "closed-form");
+    CHECK(straight.of(RequirementId::bounces).ground == Ground::proof);
+    // A caustic of a light without size needs paths from the light.
+    Scene mirrored = litBox();
+    addMirror(mirrored, {-0.5, 0.4}, {0.5, 0.6});
+    CHECK(ask(mirrored).plan.way.lightPass);
+    CHECK(ask(mirrored).plan.maxSpecular == 1);
+}
+
+TEST_CASE("requirements: a scene without light asks for nothing") {
+    Scene dark = litBox();
+    dark.lights.clear();
+    const RequirementsAnswer answer = ask(dark);
+    CHECK(answer.plan.maxDepth == 0);
+    for (const PathType& type : answer.pathTypes) CHECK(!type.exists);
+}
+
+TEST_CASE("requirements: what is forced is done, or refused in words") {
+    const Scene scene = litBox();
+    CHECK(ask(scene, {{RequirementId::bounces, 2}}).plan.maxDepth == 2);
+    CHECK(ask(scene, {{RequirementId::lightPass, 1}}).plan.way.lightPass);
+    CHECK(rouletteOf(ask(scene, {{RequirementId::roulette, 0}}).plan) == 0);
+    CHECK(rouletteOf(ask(scene, {{RequirementId::roulette, 1}}).plan) > 0);
+    CHECK(ask(scene, {{RequirementId::photonPass, 1}}).plan.estimator->id == "photon-map");
+    CHECK(ask(scene, {{RequirementId::index, 1}}).plan.index == IndexMethod::tree);
+    CHECK(ask(scene, {{RequirementId::bounces, 2}}).of(RequirementId::bounces).ground == Ground::force);
+    CHECK_THROWS_AS(ask(scene, {{RequirementId::colour, 0}}), std::invalid_argument);
+    CHECK_THROWS_AS(ask(scene, {{RequirementId::photonPass, 1}, {RequirementId::lightPass, 0}}),
+                    std::invalid_argument);
+}
+
+TEST_CASE("requirements: the same question gives the same plan") {
+    const Scene scene = litBox();
+    const RequirementsAnswer a = ask(scene), b = ask(scene);
+    CHECK(a.plan.estimator == b.plan.estimator);
+    CHECK(a.plan.params == b.plan.params);
+    CHECK(a.rays == b.rays);
+    for (std::size_t i = 0; i < a.requirements.size(); ++i)
+        CHECK(a.requirements[i].reason == b.requirements[i].reason);
+}
+
+TEST_CASE("requirements: paths that wait for lamps ask none, so that no shadow ray is cast") {
+    // From a floor in the open, with a lamp above: one ray for each path and no more, at depth 0.
+    Scene scene;
+    addWall(scene, {0.0, 0.0}, {1.0, 0.0});
+    addWall(scene, {1.0, 1.0}, {0.0, 1.0}, Rgb(0.5), Rgb(1.0));
+    const SegmentIndex index(scene);
+    const Sensor sensor = Profile{{0}, 4};
+    for (const Way& way : allWays()) {
+        if (way.emitters != "hit") continue;
+        const Plan plan{
+            findEstimator(way.estimator), paramsOf(way, index, 0), 0, 0, IndexMethod::automatic, way};
+        const Pilot run = pilot({.index = index, .sensor = sensor}, plan, {.rays = 4000});
+        CHECK(run.rays == run.paths);
+    }
+}
+
+TEST_CASE("requirements: skipping bounces costs the light that they bring") {
+    const Scene scene = litBox();
+    const SegmentIndex index(scene);
+    const Sensor sensor = Profile{{0}, 8};
+    const RequirementsQuestion question{.index = index, .sensor = sensor};
+    const RequirementsAnswer answer = requirementsOf(question);
+    const Costs costs = costsOf(question, answer, {.rays = 60'000, .repeats = 1});
+    bool fewer = false;
+    for (const RequirementCost& row : costs.rows) {
+        CHECK(!row.words.empty());
+        if (row.id != RequirementId::bounces || row.to + 1 != row.from) continue;
+        fewer = true;
+        CHECK(row.cost.change < 0.0);
+        const std::vector<double>& beyond = answer.bounces.patches->beyond;
+        CHECK(-row.cost.change < 1.2 * beyond[row.to]);
+    }
+    CHECK(fewer);
+    CHECK(costs.everything.plan.estimator->id == "bidirectional");
+    CHECK(std::abs(costs.everything.change) < 5.0 * costs.everything.changeError + 0.005);
+}

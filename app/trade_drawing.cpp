@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/draw_text.h"
+#include "app/language.h"
 #include "app/pen.h"
 
 namespace halfdisk {
@@ -83,11 +84,6 @@ std::vector<ImVec2> frontCurve(const Plot& plot, const TradeReport& report, Trad
         if (const auto best = cheapest(report, *error, cost))
             points.push_back(plot.at(best->cost, kPercent * *error));
     return points;
-}
-
-void drawKey(const Ui& ui, const Plot& plot, const std::vector<std::pair<ImU32, std::string>>& entries) {
-    int row = 0;
-    for (const auto& entry : entries) plotKey(ui, plot, row++, entry.first, entry.second.c_str());
 }
 
 void drawDots(const Ui& ui, const Plot& plot, const TradeReport& report, TradeCost cost,
@@ -193,10 +189,16 @@ ImU32 tradeColor(const Palette& palette, const EstimatorInfo& info) {
 
 Plot drawTradeFront(const Ui& ui, const TradeReport& report, TradeCost cost, ImVec2 size,
                     std::optional<std::size_t> chosen) {
-    const Plot plot =
-        beginPlot(ui, "front", "What accuracy costs", size, costAxis(report, cost), errorAxis(report));
+    std::vector<PlotKey> keys;
+    for (const TradeCell& cell : report.cells) {
+        const EstimatorInfo& info = *cell.setting.estimator;
+        if (cell.measured() && (keys.empty() || keys.back().name != info.id))
+            keys.push_back({tradeColor(ui.palette, info), std::string(info.id)});
+    }
+    keys.push_back({ui.palette.currentLine, std::string(tr("the cheapest"))});
+    const Plot plot = beginPlot(ui, "front", std::string(tr("What accuracy costs here")), size,
+                                costAxis(report, cost), errorAxis(report), keys);
     plotLine(ui, plot, frontCurve(plot, report, cost), ui.palette.currentLine, 12 * ui.scale);
-    std::vector<std::pair<ImU32, std::string>> key;
     for (std::size_t i = 0; i < report.cells.size(); ++i) {
         const TradeCell& cell = report.cells[i];
         if (!cell.measured()) continue;
@@ -204,12 +206,8 @@ Plot drawTradeFront(const Ui& ui, const TradeReport& report, TradeCost cost, ImV
         const bool bold = chosen ? chosen == i : !report.verdicts[i].nobody;
         plotLine(ui, plot, curveOf(plot, report.verdicts[i].law, cost),
                  bold ? color : withOpacity(color, 0.35f), (bold ? 2.5f : 1.0f) * ui.scale);
-        const std::string name(cell.setting.estimator->id);
-        if (key.empty() || key.back().second != name) key.emplace_back(color, name);
     }
     drawDots(ui, plot, report, cost, chosen);
-    key.emplace_back(ui.palette.currentLine, "the cheapest");
-    drawKey(ui, plot, key);
     return plot;
 }
 

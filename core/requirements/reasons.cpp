@@ -42,6 +42,7 @@ std::optional<double> leastRays(const RequirementsAnswer& answer, const Is& is) 
 }
 
 std::string fewer(const std::string& way, double times) {
+    if (times < 1.05) return joined(way, " takes about as many rays to the same noise");
     return joined(way, " takes ", words::number(times), " times fewer rays to the same noise");
 }
 
@@ -60,15 +61,21 @@ std::string orElse(const std::string& text, const std::string& other) {
 
 std::string lightsReason(const SceneFacts& facts) {
     if (!facts.traits.delta) return "no point and no directional light";
-    return counted(facts.points, "point light") + " and " + counted(facts.suns, "directional light") +
-           ", which no ray meets by chance";
+    std::string lights;
+    if (facts.points > 0) lights += counted(facts.points, "point light");
+    if (facts.points > 0 && facts.suns > 0) lights += ", ";
+    if (facts.suns > 0) lights += counted(facts.suns, "directional light");
+    return lights + ", which no ray meets by chance";
 }
 
 std::string specularReason(const RequirementsAnswer& answer) {
     const SceneFacts& facts = answer.facts;
     if (!facts.traits.specular) return facts.chainReason + ": nothing to follow";
-    std::string reason = counted(facts.mirrors, "mirror") + " and " + counted(facts.glass, "skin") +
-                         " of glass among the walls; " + facts.chainReason;
+    std::string reason;
+    if (facts.mirrors > 0) reason += counted(facts.mirrors, "mirror");
+    if (facts.mirrors > 0 && facts.glass > 0) reason += ", ";
+    if (facts.glass > 0) reason += joined(counted(facts.glass, "wall"), " of glass");
+    reason += joined("; ", facts.chainReason);
     std::uint64_t cut = 0, paths = 0;
     for (const Candidate& candidate : answer.candidates)
         if (candidate.chosen) {
@@ -158,8 +165,7 @@ std::vector<Requirement> requirementRows(const RequirementsQuestion& question,
         add(id, valueIn(answer.plan, id, facts.traits, question.index) != 0, std::move(reason), ground);
     };
     add(RequirementId::deltaLights, facts.traits.delta, lightsReason(facts), Ground::proof);
-    add(RequirementId::areaLights, facts.lamps > 0, counted(facts.lamps, "wall") + " that shine",
-        Ground::proof);
+    add(RequirementId::areaLights, facts.lamps > 0, counted(facts.lamps, "lamp"), Ground::proof);
     add(RequirementId::environment, facts.environment,
         facts.environment ? "the environment shines" : "the environment is black", Ground::proof);
     const RequirementsAnswer::Escapes escapes = answer.escapes;

@@ -162,8 +162,11 @@ class Search {
     }
 
     void takeBest() {
+        // Where so few rays do, they are no cost: then the simplest way is the best.
+        constexpr double kFewRays = 16.0;  // for each pixel
         const auto rays = [&](const Candidate& candidate) {
-            return candidate.pilot.raysTo(answer_.tolerance);
+            return std::max(candidate.pilot.raysTo(answer_.tolerance),
+                            kFewRays * static_cast<double>(candidate.pilot.pixels));
         };
         Candidate* best = &answer_.candidates.front();
         for (Candidate& candidate : answer_.candidates)

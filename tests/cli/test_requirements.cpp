@@ -47,7 +47,7 @@ TEST_CASE("requirements: one closed form where nothing is in the way, and it is 
         {"requirements", shippedScene("open_court.toml"), "--at", "floor:0.5", "--tolerance", "0.05"});
     CHECK(outcome.exitCode == 0);
     CHECK(outcome.out.find("estimator closed-form") != std::string::npos);
-    CHECK(outcome.out.find("spectral radius") != std::string::npos);
+    CHECK(outcome.out.find("radius, 0.0") != std::string::npos);
 }
 
 TEST_CASE("requirements: costs have a row for each switch") {

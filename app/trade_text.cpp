@@ -95,6 +95,20 @@ std::string crossingsText(const TradeReport& report, const Named<TradeCost>& cos
     return text;
 }
 
+/// What to choose for the target.
+std::string choiceText(const TradeReport& report) {
+    const auto choice = choose(report, {TradeCost::rays, report.target});
+    const std::string wish = percent(report.target);
+    if (!choice) return fmt::format("\nFor {}: no setting is known to reach it\n", wish);
+    std::string text = fmt::format("\nFor {}: {}, {} pass{}, about {:.3g} rays and {:.3g} s", wish,
+                                   report.cells[choice->cell].name, choice->passes,
+                                   choice->passes == 1 ? "" : "es", choice->rays, choice->seconds);
+    if (choice->runnerUp)
+        text += fmt::format("; the best of another estimator, {}, takes {:.3g} times the rays",
+                            report.cells[*choice->runnerUp].name, choice->runnerUpFactor);
+    return text + '\n';
+}
+
 }  // namespace
 
 TradeReport reportOf(const TradeFolder& trade) {
@@ -236,6 +250,7 @@ std::string reportText(const TradeFolder& trade, const TradeReport& report) {
                             amount(cell, verdict.toTarget[1]), factor(verdict.off[0]), factor(verdict.off[1]),
                             verdictWords(report, i));
     }
+    text += choiceText(report);
     for (const auto& cost : kTradeCosts) text += frontText(report, cost);
     for (const auto& cost : kTradeCosts) text += crossingsText(report, cost);
     std::string nobody, refused;

@@ -2,8 +2,11 @@
 // leaves nothing out.
 #include "core/trade/trade_reference.h"
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "core/exact_field.h"
 #include "core/exact_picture.h"
@@ -67,6 +70,40 @@ TradeReference ofRun(const EstimatorInfo& info, const GroupedPasses& run) {
     return reference;
 }
 
+/// Reference asks a flag, not a question: while this lives, somebody asks on its behalf.
+class FlagOf {
+ public:
+    explicit FlagOf(const StopQuestion& stop) {
+        if (!stop) return;
+        watcher_ = std::thread([this, stop] {
+            constexpr std::chrono::milliseconds kBetween{5};
+            while (!done_ && !flag_) {
+                if (stop()) flag_ = true;
+                std::this_thread::sleep_for(kBetween);
+            }
+        });
+    }
+    ~FlagOf() {
+        done_ = true;
+        if (watcher_.joinable()) watcher_.join();
+    }
+    FlagOf(const FlagOf&) = delete;
+    FlagOf& operator=(const FlagOf&) = delete;
+
+    const std::atomic<bool>& flag() const { return flag_; }
+
+ private:
+    std::atomic<bool> flag_{false}, done_{false};
+    std::thread watcher_;
+};
+
+Reference referenceOf(const Problem& problem, unsigned depth) {
+    const FlagOf watched(problem.stop);
+    Reference reference(problem.index, depth, &watched.flag());
+    if (!reference.ready()) throw Stopped();
+    return reference;
+}
+
 }  // namespace
 
 std::optional<TradeReference> exactReference(const Problem& problem) {
@@ -89,11 +126,11 @@ std::optional<TradeReference> exactReference(const Problem& problem) {
     throwIfStopped(problem.stop);
     known.how = "exact, by quadrature";
     if (const auto* probe = std::get_if<Probe>(&problem.sensor)) {
-        known.mean = {Reference(problem.index, depth).irradiance(probe->at, depth)};
+        known.mean = {referenceOf(problem, depth).irradiance(probe->at, depth)};
         return known;
     }
     if (!hasExactPicture(problem.sensor)) return std::nullopt;
-    known.mean = exactPicture(Reference(problem.index, depth + 1), problem.sensor, depth, problem.stop);
+    known.mean = exactPicture(referenceOf(problem, depth + 1), problem.sensor, depth, problem.stop);
     return known;
 }
 

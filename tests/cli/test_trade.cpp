@@ -1,0 +1,232 @@
+// Does halfdisk trade measure what it says, can the work be shared, stopped and gone on with, and does it
+// come to the same?
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <sstream>
+
+#include "result_files.h"
+#include "running_program.h"
+
+using namespace halfdisk_test;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<std::string> smallTrade(std::vector<std::string> more) {
+    std::vector<std::string> arguments{
+        "trade",         shippedScene("diffuse_room.toml"), "--width", "8", "--rays", "20000", "--estimators",
+        "path,radiosity"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+}
+
+/// What time has no part in.
+Json timeless(const Json& json) {
+    if (json.is_array()) {
+        Json rest = Json::array();
+        for (const Json& item : json) rest.push_back(timeless(item));
+        return rest;
+    }
+    if (!json.is_object()) return json;
+    Json rest = Json::object();
+    for (const auto& item : json.items())
+        if (item.key().find("econds") == std::string::npos) rest[item.key()] = timeless(item.value());
+    return rest;
+}
+
+Json tradeOf(const fs::path& folder) {
+    return readJson(folder / "trade.json");
+}
+
+const Json& cellOf(const Json& trade, const std::string& name) {
+    for (const Json& cell : trade["cells"])
+        if (cell["name"] == name) return cell;
+    FAIL("there is no setting " << name);
+    return trade;
+}
+
+std::size_t cellFiles(const fs::path& folder) {
+    std::size_t count = 0;
+    for (const auto& entry : fs::directory_iterator(folder / "cells"))
+        count += entry.is_regular_file() ? 1 : 0;
+    return count;
+}
+
+}  // namespace
+
+TEST_CASE("trade: every setting is measured, and table, CSV, JSON and plots tell of it") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "room";
+    const Outcome outcome = runProgram(smallTrade({"-o", out}));
+    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+    const Json trade = tradeOf(out);
+    const std::size_t settings = trade["question"]["settings"].size();
+    CHECK(settings >= 8);
+    CHECK(trade["cells"].size() == settings);
+    CHECK(cellFiles(out) == settings);
+    for (const Json& cell : trade["cells"]) {
+        CHECK(outcome.out.find(cell["name"].get<std::string>()) != std::string::npos);
+        CHECK(cell["rays"] >= 20000);
+    }
+    const std::string csv = readFile(fs::path(out) / "trade.csv");
+    CHECK(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')) == settings + 1);
+    // Every row has as many commas as the head; names have none.
+    std::istringstream lines(csv);
+    std::string head;
+    std::getline(lines, head);
+    for (std::string line; std::getline(lines, line);)
+        CHECK(std::count(line.begin(), line.end(), ',') == std::count(head.begin(), head.end(), ','));
+    for (const char* plot : {"front", "front-seconds", "convergence"}) {
+        const std::string svg = readFile(fs::path(out) / (std::string(plot) + ".svg"));
+        CHECK(svg.find("<svg") != std::string::npos);
+        CHECK(svg.find("</svg>") != std::string::npos);
+        CHECK(svg.find("rays") != std::string::npos);
+    }
+    // All bounces are more light than was asked for: the one bias that is large here.
+    CHECK(cellOf(trade, "radiosity solver=solve")["biased"] == true);
+    CHECK(cellOf(trade, "path")["biased"] == false);
+    CHECK(cellOf(trade, "path")["byRays"]["off"] != nullptr);
+}
+
+TEST_CASE("trade: parts that are merged are the undivided run, on any number of threads") {
+    const TemporaryFolder folder;
+    const std::string whole = folder / "whole", merged = folder / "merged";
+    REQUIRE(runProgram(smallTrade({"-o", whole, "--threads", "1"})).exitCode == 0);
+    std::vector<std::string> merge{"trade", "merge"};
+    for (const char* part : {"3/3", "1/3", "2/3"}) {
+        const std::string out = folder / (std::string("part") + part[0]);
+        const Outcome outcome = runProgram(smallTrade({"--part", part, "-o", out, "--threads", "2"}));
+        REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+        CHECK(outcome.out.find("merge joins") != std::string::npos);
+        merge.push_back(out);
+    }
+    merge.insert(merge.end(), {"-o", merged});
+    const Outcome outcome = runProgram(merge);
+    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+    CHECK(outcome.err.empty());
+    CHECK(timeless(tradeOf(merged)).dump() == timeless(tradeOf(whole)).dump());
+    for (const auto& entry : fs::directory_iterator(fs::path(whole) / "cells"))
+        CHECK(timeless(readJson(entry.path())) ==
+              timeless(readJson(fs::path(merged) / "cells" / entry.path().filename())));
+    // Without one part it says what is missing.
+    const Outcome partly = runProgram({"trade", "merge", folder / "part1", "-o", folder / "less"});
+    CHECK(partly.exitCode == 0);
+    CHECK(partly.err.find("settings are not in these folders") != std::string::npos);
+}
+
+TEST_CASE("trade: what is measured is not measured again") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "room";
+    REQUIRE(runProgram(smallTrade({"-o", out})).exitCode == 0);
+    const fs::path cells = fs::path(out) / "cells";
+    const std::string kept = readFile(cells / "0000.json"), lost = readFile(cells / "0002.json");
+    const Json before = tradeOf(out);
+    fs::remove(cells / "0002.json");
+    REQUIRE(runProgram(smallTrade({"-o", out})).exitCode == 0);
+    CHECK(readFile(cells / "0000.json") == kept);  // its seconds too
+    CHECK(timeless(Json::parse(readFile(cells / "0002.json"))) == timeless(Json::parse(lost)));
+    CHECK(timeless(tradeOf(out)) == timeless(before));
+}
+
+TEST_CASE("trade: Ctrl-C keeps what is measured, and the same command goes on") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "room";
+    const std::vector<std::string> arguments{"trade",        shippedScene("diffuse_room.toml"),
+                                             "--width",      "8",
+                                             "--budget",     "0.3",
+                                             "--estimators", "path,cast-ray",
+                                             "-o",           out};
+    RunningProgram program(arguments);
+    REQUIRE(program.waitUntilBusy(2.0));
+    program.signal(SIGINT);
+    const Outcome outcome = program.waitForEnd();
+    CHECK(outcome.exitCode == 130);
+    const std::size_t done = cellFiles(out);
+    CHECK(done > 0);
+    CHECK(outcome.err.find("halfdisk: stopped: " + std::to_string(done) + " of ") == 0);
+    CHECK(outcome.err.find("the same command goes on") != std::string::npos);
+    const Json partly = tradeOf(out);
+    CHECK(partly["cells"].size() == done);
+    CHECK(done < partly["question"]["settings"].size());
+    REQUIRE(runProgram(arguments).exitCode == 0);
+    CHECK(cellFiles(out) == partly["question"]["settings"].size());
+}
+
+TEST_CASE("trade: depth, facets and index are swept, and a depth that is missing shows as bias") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "disk";
+    const Outcome outcome = runProgram({"trade",        shippedScene("glass_disk_lamp.toml"),
+                                        "--sensor",     "profile",
+                                        "--walls",      "floor,wall",
+                                        "--width",      "8",
+                                        "--rays",       "20000",
+                                        "--estimators", "light",
+                                        "--sweep",      "depth=0,1",
+                                        "--sweep",      "facets=0.125,1",
+                                        "--sweep",      "index=automatic,every wall",
+                                        "-o",           out});
+    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+    const Json trade = tradeOf(out);
+    CHECK(trade["cells"].size() == 8);
+    CHECK(cellOf(trade, "light")["biased"] == false);
+    // By which index walls are found changes no bit.
+    CHECK(cellOf(trade, "light index=every wall")["variance"] == cellOf(trade, "light")["variance"]);
+    CHECK(cellOf(trade, "light facets=0.125")["variance"] != cellOf(trade, "light")["variance"]);
+    CHECK(cellOf(trade, "light depth=0")["bias2"][0] > 0.0);
+}
+
+TEST_CASE("trade: a reference of one's own is used, with its error") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "long.json", out = folder / "room";
+    REQUIRE(runProgram({"eye", shippedScene("diffuse_room.toml"), "--width", "8", "--samples", "4000",
+                        "--seed", "7", "-o", file})
+                .exitCode == 0);
+    const Outcome outcome = runProgram(smallTrade({"--reference", file, "-o", out}));
+    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+    const Json trade = tradeOf(out);
+    CHECK(trade["reference"]["exact"] == false);
+    CHECK(trade["reference"]["relativeError"] > 0.0);
+    CHECK(cellOf(trade, "path")["biased"] == false);
+    CHECK(cellOf(trade, "radiosity solver=solve")["biased"] == true);
+    const Outcome other =
+        runProgram({"trade", shippedScene("diffuse_room.toml"), "--width", "9", "--reference", file});
+    CHECK(other.exitCode == 2);
+    CHECK(other.err.find("has 8 pixels, expected 9") != std::string::npos);
+}
+
+TEST_CASE("trade: castRay is a hundred times off the front where a small lamp shines through glass") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "disk";
+    REQUIRE(runProgram({"trade", sceneFile("glass_disk_small_lamp.toml"), "--sensor", "profile", "--walls",
+                        "floor", "--rays", "300000", "--estimators", "cast-ray,light", "-o", out})
+                .exitCode == 0);
+    const Json trade = tradeOf(out);
+    std::size_t measured = 0;
+    for (const Json& cell : trade["cells"]) {
+        if (cell["estimator"] != "cast-ray") continue;
+        ++measured;
+        INFO(cell["name"].get<std::string>());
+        const Json& off = cell["byRays"]["offAtTarget"];
+        CHECK((off.is_null() || off >= 100.0));
+    }
+    CHECK(measured >= 8);
+    CHECK(cellOf(trade, "light")["byRays"]["offAtTarget"] < 3.0);
+}
+
+TEST_CASE("trade: in a matt room radiosity, path and castRay cross") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "room";
+    REQUIRE(runProgram({"trade", shippedScene("diffuse_room.toml"), "--width", "32", "--rays", "100000",
+                        "--estimators", "cast-ray,path,radiosity", "-o", out})
+                .exitCode == 0);
+    const Json trade = tradeOf(out);
+    const auto crosses = [&](const char* above, const char* below) {
+        for (const Json& crossing : trade["crossingsByRays"])
+            if (crossing["above"] == above && crossing["below"] == below) return true;
+        return false;
+    };
+    CHECK(crosses("path", "radiosity"));
+    CHECK(crosses("cast-ray", "radiosity"));
+}

@@ -1,0 +1,81 @@
+// Is a trade that makes no sense refused before any work, with exit code 2 and one clear line?
+#include <doctest/doctest.h>
+
+#include <fstream>
+
+#include "refusals.h"
+#include "run_program.h"
+
+using namespace halfdisk_test;
+
+namespace {
+
+void checkTradeRefused(std::vector<std::string> options, const std::string& message) {
+    options.insert(options.begin(), {"trade", shippedScene("diffuse_room.toml")});
+    checkRefused(options, message);
+}
+
+}  // namespace
+
+TEST_CASE("trade refused: no scene, and numbers that are none") {
+    checkRefused({"trade"}, "trade needs a scene file");
+    checkTradeRefused({"--budget", "0"}, "--budget");
+    checkTradeRefused({"--budget", "1", "--rays", "1000"}, "exclude each other");
+    checkTradeRefused({"--rays", "many"}, "--rays");
+    checkTradeRefused({"--target", "2"}, "--target");
+    checkTradeRefused({"--depth", "-1"}, "--depth");
+}
+
+TEST_CASE("trade refused: estimators and sweeps") {
+    checkTradeRefused({"--estimators", "pth"}, "path");
+    checkTradeRefused({"--estimators", "path,path"}, "names path twice");
+    checkTradeRefused({"--sweep", "patches"}, "is no sweep, expected KEY=VALUE,VALUE");
+    checkTradeRefused({"--sweep", "patches=1,"}, "has an empty value");
+    checkTradeRefused({"--sweep", "patches=10,10"}, "has '10' twice");
+    checkTradeRefused({"--sweep", "patches=10", "--sweep", "patches=20"}, "expected all values in one list");
+    checkTradeRefused({"--estimators", "path", "--sweep", "patches=10,20"}, "none of the estimators has");
+    checkTradeRefused({"--sweep", "radiosity.patches=0"}, "patches");
+    checkTradeRefused({"--sweep", "facets=0"}, "facets");
+    checkTradeRefused({"--sweep", "index=fast"}, "every wall");
+    checkTradeRefused({"--sweep", "photon-map.shrink=0.5"}, "passes then are not alike");
+}
+
+TEST_CASE("trade refused: sensors, parts and references") {
+    checkTradeRefused({"--sensor", "look"}, "expected one of eye, profile, field, probe");
+    checkTradeRefused({"--sensor", "probe"}, "expected --at");
+    checkTradeRefused({"--sensor", "eye", "--walls", "floor"}, "--walls is for --sensor profile only");
+    checkTradeRefused({"--sensor", "field", "--width", "1000"}, "too many for 32 pictures");
+    checkTradeRefused({"--part", "0/4", "-o", "x"}, "is no part, expected I/N");
+    checkTradeRefused({"--part", "1/4"}, "expected -o DIR");
+    checkTradeRefused({"--reference", "/no/such/file.json"}, "/no/such/file.json: cannot be read");
+    const TemporaryFolder folder;
+    const std::string file = folder / "x.json";
+    std::ofstream(file) << "{\"mean\": 3}";
+    checkTradeRefused({"--reference", file}, "is not what halfdisk");
+    // Light of a lamp without size, through glass, to an eye: nobody carries it all.
+    std::ofstream(folder / "s.toml")
+        << "[material.glass]\ntype = 'dielectric'\n[[circle]]\ncenter = [0.0, 1.0]\nradius = 0.3\n"
+           "segments = 16\nmaterial = 'glass'\n[[segment]]\nname = 'floor'\na = [-1.0, 0.0]\nb = "
+           "[1.0, 0.0]\n[[light]]\ntype = 'point'\nposition = [0.0, 2.0]\n[eye]\nposition = [1.0, "
+           "1.0]\ndirection = [-1.0, -0.5]\n";
+    checkRefused({"trade", folder / "s.toml", "--rays", "100"},
+                 "expected --reference FILE, or another --sensor");
+}
+
+TEST_CASE("trade refused: folders that hold something else") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "room";
+    const std::vector<std::string> small{"trade",        shippedScene("diffuse_room.toml"),
+                                         "--width",      "4",
+                                         "--rays",       "200",
+                                         "--estimators", "path",
+                                         "--sweep",      "emitters=hit,both",
+                                         "-o",           out};
+    REQUIRE(runProgram(small).exitCode == 0);
+    std::vector<std::string> other = small;
+    other[5] = "300";
+    checkRefused(other, "answers another question: its rays is 200.0, not 300.0");
+    checkRefused({"trade", "merge", folder / "nothing", "-o", folder / "all"}, "holds no cells");
+    std::ofstream(folder / "room" / "cells" / "0001.json") << "{\"half\":";
+    checkRefused(small, "0001.json: is not what halfdisk trade wrote");
+}

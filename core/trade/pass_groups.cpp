@@ -2,6 +2,7 @@
 // equally many passes, whose means are small experiments of their own.
 #include "core/trade/pass_groups.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/parallel.h"
@@ -45,7 +46,9 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
     const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
     const auto isSpent = [&] {
         if (run.groups.means.size() < PassGroups::kLeast) return false;
-        return (budget.rays > 0.0 && static_cast<double>(run.counts.rays) >= budget.rays) ||
+        // In the dark some cast none: a pass counts as a ray at least.
+        const double rays = static_cast<double>(std::max(run.counts.rays, run.groups.passes()));
+        return (budget.rays > 0.0 && rays >= budget.rays) ||
                (budget.seconds > 0.0 && elapsed() >= budget.seconds) ||
                (budget.passes > 0 && run.groups.passes() >= budget.passes);
     };

@@ -8,6 +8,7 @@
 #include <limits>
 #include <thread>
 
+#include "core/estimators.h"
 #include "core/exact_field.h"
 #include "core/exact_picture.h"
 

@@ -230,3 +230,10 @@ TEST_CASE("trade: in a matt room radiosity, path and castRay cross") {
     CHECK(crosses("path", "radiosity"));
     CHECK(crosses("cast-ray", "radiosity"));
 }
+
+TEST_CASE("trade: in the dark it ends, and says that there is nothing to compare") {
+    const Outcome outcome = runProgram(
+        {"trade", sceneFile("no_light.toml"), "--rays", "500", "--width", "4", "--estimators", "path,light"});
+    CHECK(outcome.exitCode == 0);
+    CHECK(outcome.out.find("no light reaches the sensor") != std::string::npos);
+}

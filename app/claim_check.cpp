@@ -90,6 +90,12 @@ Rgb exactOf(const SegmentIndex& index, const Trial& trial) {
         Reference::kMostWallsDeep, kDeepestReference));
 }
 
+double lostShare(const SegmentIndex& index, const DialSetting& dial) {
+    const ExtremeCounts counts = measureDial(dial, index.scene());
+    if (counts.rays == 0) throw InputError("no ray leaves a wall here");
+    return static_cast<double>(counts.faults()) / static_cast<double>(counts.rays);
+}
+
 template <class Value>
 const Value& given(const std::optional<Value>& value, std::string_view what) {
     if (!value) throw InputError(std::string(what));
@@ -98,6 +104,7 @@ const Value& given(const std::optional<Value>& value, std::string_view what) {
 
 double quantityOf(const SegmentIndex& index, Quantity quantity, const Trial& trial, unsigned threads) {
     if (quantity == Quantity::exact) return gray(exactOf(index, trial));
+    if (quantity == Quantity::lost) return lostShare(index, trial.dial);
     const Outcome out = outcomeOf(index, trial, threads);
     const auto error = [&] {
         return gray(given(out.standardError,
@@ -130,6 +137,7 @@ double quantityOf(const SegmentIndex& index, Quantity quantity, const Trial& tri
         case Quantity::nonFinite:
             return static_cast<double>(out.nonFinite);
         case Quantity::exact:
+        case Quantity::lost:
             break;
     }
     return std::numeric_limits<double>::quiet_NaN();

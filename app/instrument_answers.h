@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "core/extremes/survey.h"
+#include "core/extremes/dial.h"
 #include "core/requirements/requirements.h"
 #include "core/trade/trade_report.h"
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/extremes/dial.h"
 #include "core/settings.h"
 #include "lessons/toml_document.h"
 #include "lessons/wall_point.h"
@@ -28,10 +29,11 @@ enum class Quantity : std::uint8_t {
     standardError,
     relativeError,
     rays,
-    nonFinite
+    nonFinite,
+    lost
 };
 
-inline constexpr std::array<Named<Quantity>, 12> kQuantities{{
+inline constexpr std::array<Named<Quantity>, 13> kQuantities{{
     {Quantity::irradiance, "irradiance", "E at P, W/m"},
     {Quantity::direct, "direct", "the part of E that was never scattered, W/m (cast-ray)"},
     {Quantity::indirect, "indirect", "the part of E that was, W/m (cast-ray)"},
@@ -44,6 +46,7 @@ inline constexpr std::array<Named<Quantity>, 12> kQuantities{{
     {Quantity::relativeError, "relativeError", "typical error of one run of N samples, as a share of E"},
     {Quantity::rays, "rays", "how many were cast, in one repeat"},
     {Quantity::nonFinite, "nonFinite", "how many values were infinite or not a number"},
+    {Quantity::lost, "lost", "share of the rays that go wrong in the tracer that \"dial\" chooses"},
 }};
 
 enum class Relation : std::uint8_t { atLeast, atMost, equals };
@@ -61,6 +64,7 @@ struct Trial {
     std::string estimator = "cast-ray";
     std::vector<std::string> params;  ///< NAME=VALUE, of estimators but cast-ray
     std::uint64_t repeats = 16;       ///< of cast-ray; of others, `settings.samples` are independent
+    DialSetting dial{};               ///< of Quantity::lost
     bool operator==(const Trial&) const = default;
 };
 

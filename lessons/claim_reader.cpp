@@ -1,5 +1,6 @@
 #include "lessons/claim_reader.h"
 
+#include "lessons/instruments_reader.h"
 #include "lessons/step_values_reader.h"
 
 namespace halfdisk {
@@ -35,6 +36,7 @@ void readTrial(const std::string& file, std::string_view key, const TomlValue& v
         trial.estimator = readText(file, "estimator", *estimator, kIdRule);
     if (const TomlValue* repeats = table.optional("repeats"))
         trial.repeats = readWhole(file, "repeats", *repeats, kRepeatsRule);
+    if (const TomlValue* dial = table.optional("dial")) readDial(file, *dial, trial.dial);
     if (const TomlValue* params = table.optional("params")) {
         trial.params.clear();
         const TomlTable& entries = readTable(file, "params", *params);
@@ -90,6 +92,7 @@ Claim readClaim(const LessonText& text, const TomlValue& value, const Scene& sce
     }
     claim.of.settings = step.settings;
     claim.of.at = step.at;
+    claim.of.dial = step.instruments.dial;
     if (with != nullptr) readTrial(file, "with", *with, scene, claim.of);
     if (over != nullptr) readTrial(file, "over", *over, scene, claim.over.emplace(claim.of));
     return claim;

@@ -15,6 +15,8 @@ void readRange(TableReader& table, std::string_view key, double least, double mo
     field = readNumber(table.file(), key, *value, {least, most, expected});
 }
 
+}  // namespace
+
 void readDial(const std::string& file, const TomlValue& value, DialSetting& dial) {
     TableReader table(file, readTable(file, "dial", value), value.where, "\"dial\"");
     readRange(table, "scale", kLeastScale, kMostScale, dial.scale);
@@ -27,8 +29,6 @@ void readDial(const std::string& file, const TomlValue& value, DialSetting& dial
         dial.policy = readNamed(file, "policy", *policy, kEpsilonPolicies);
     table.finish();
 }
-
-}  // namespace
 
 void readInstruments(TableReader& table, InstrumentSettings& settings) {
     if (const TomlValue* dial = table.optional("dial")) readDial(table.file(), *dial, settings.dial);

@@ -6,6 +6,9 @@
 
 namespace halfdisk {
 
+/// Replaces what the inline table `dial` has.
+void readDial(const std::string& file, const TomlValue& value, DialSetting& dial);
+
 /// Replaces what the table has: dial = { scale, offset, gap, precision, policy, epsilon }, wishedError or
 /// wishedMilliseconds, tolerance. Does not finish the table.
 void readInstruments(TableReader& table, InstrumentSettings& settings);

@@ -163,11 +163,12 @@ TEST_CASE("without an eye it is the light along P's wall, which the light's own 
 
 TEST_CASE("a batch that is called off adds nothing, and the next one is what it would have been") {
     const AppState state = caustic(kStep);
-    const LightQuestion asked{.scene = state.scene,
-                              .at = state.at,
-                              .settings = state.settings,
-                              .pictures = state.show & kPictureSet,
-                              .makers = state.makers};
+    LightQuestion asked;
+    asked.scene = state.scene;
+    asked.at = state.at;
+    asked.settings = state.settings;
+    asked.pictures = state.show & kPictureSet;
+    asked.makers = state.makers;
     std::atomic<bool> cancelled{false}, never{false};
     StrategyWork work(asked, cancelled), undisturbed(asked, never);
     for (StrategyWork* each : {&work, &undisturbed}) REQUIRE(each->addBatch());

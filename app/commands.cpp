@@ -161,14 +161,15 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](const SetLanguage& c) { attempt(state, [&](AppState& next) { setLanguage(next, c.code); }); },
             [&](SetFieldScale c) { state.scale = c.scale; },
             [&](const SetInstruments& c) {
-                if (state.instruments == c.settings) return;
+                const InstrumentSettings settings = withinLimits(c.settings);
+                if (state.instruments == settings) return;
                 // What is only wished for needs no new light.
-                InstrumentSettings measured = c.settings;
+                InstrumentSettings measured = settings;
                 measured.wish = state.instruments.wish;
                 measured.wishedError = state.instruments.wishedError;
                 measured.wishedMilliseconds = state.instruments.wishedMilliseconds;
                 const bool anew = !(measured == state.instruments);
-                state.instruments = c.settings;
+                state.instruments = settings;
                 if (anew) askAnew(state);
             },
             [&](const PickTrade& c) {

@@ -35,4 +35,7 @@ struct InstrumentSettings {
     bool operator==(const InstrumentSettings&) const = default;
 };
 
+/// Every number moved into its range; what is not a number becomes its initial value.
+InstrumentSettings withinLimits(InstrumentSettings settings);
+
 }  // namespace halfdisk

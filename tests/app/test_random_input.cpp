@@ -167,11 +167,34 @@ Command randomEditing(Dice& dice, const AppState& state) {
     }
 }
 
+InstrumentSettings randomInstruments(Dice& dice) {
+    InstrumentSettings settings;
+    settings.dial.scale = std::pow(10.0, dice.between(-8, 8));
+    settings.dial.offset = dice.once(2) ? 0.0 : std::pow(10.0, dice.between(-2, 7));
+    settings.dial.gap = dice.once(2) ? 0.0 : std::pow(10.0, dice.between(-9, 0));
+    settings.dial.fixedEpsilon = std::pow(10.0, dice.between(-14, 2));
+    settings.dial.precision = kPrecisions[dice.below(2)].value;
+    settings.dial.policy = kEpsilonPolicies[dice.below(4)].value;
+    settings.wish = kWishes[dice.below(2)].value;
+    settings.wishedError = std::pow(10.0, dice.between(-5, 2));
+    settings.wishedMilliseconds = dice.once(8) ? std::nan("") : std::pow(10.0, dice.between(-3, 6));
+    settings.tolerance = std::pow(10.0, dice.between(-6, 1));
+    for (std::uint32_t i = 0; i < dice.below(3); ++i)
+        settings.forced.push_back(
+            {kRequirements[dice.below(static_cast<std::uint32_t>(kRequirements.size()))].id, dice.below(4)});
+    return settings;
+}
+
 Command randomCommand(Dice& dice, const AppState& state, const std::vector<std::filesystem::path>& files) {
     const auto walls = static_cast<std::uint32_t>(state.scene->scene.segments.size());
-    switch (dice.below(41)) {
+    switch (dice.below(43)) {
         case 39:
             return PinPixel{dice.once(4) ? std::nullopt : std::optional(dice.below(260))};
+        case 41:
+            return SetInstruments{randomInstruments(dice)};
+        case 42:
+            return PickTrade{dice.once(3) ? std::nullopt : std::optional<std::size_t>(dice.below(100)),
+                             randomMaker(dice)};
         case 40:
             return SortSamples{dice.once(2)};
         case 20:

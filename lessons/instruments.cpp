@@ -1,0 +1,24 @@
+#include "lessons/instruments.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace halfdisk {
+
+InstrumentSettings withinLimits(InstrumentSettings settings) {
+    const InstrumentSettings initial;
+    const auto limit = [](double& value, double least, double most, double otherwise) {
+        value = std::isnan(value) ? otherwise : std::clamp(value, least, most);
+    };
+    limit(settings.dial.scale, kLeastScale, kMostScale, initial.dial.scale);
+    limit(settings.dial.offset, 0.0, kMostOffset, initial.dial.offset);
+    limit(settings.dial.gap, 0.0, kMostGap, initial.dial.gap);
+    limit(settings.dial.fixedEpsilon, kLeastEpsilon, kMostEpsilon, initial.dial.fixedEpsilon);
+    limit(settings.wishedError, kLeastWishedError, kMostWishedError, initial.wishedError);
+    limit(settings.wishedMilliseconds, kLeastMilliseconds, kMostMilliseconds, initial.wishedMilliseconds);
+    limit(settings.tolerance, kLeastTolerance, kMostTolerance, initial.tolerance);
+    std::erase_if(settings.forced, [](const Forced& one) { return infoOf(one.id).kind == Switch::none; });
+    return settings;
+}
+
+}  // namespace halfdisk

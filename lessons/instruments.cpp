@@ -17,7 +17,13 @@ InstrumentSettings withinLimits(InstrumentSettings settings) {
     limit(settings.wishedError, kLeastWishedError, kMostWishedError, initial.wishedError);
     limit(settings.wishedMilliseconds, kLeastMilliseconds, kMostMilliseconds, initial.wishedMilliseconds);
     limit(settings.tolerance, kLeastTolerance, kMostTolerance, initial.tolerance);
-    std::erase_if(settings.forced, [](const Forced& one) { return infoOf(one.id).kind == Switch::none; });
+    std::vector<Forced> forced;
+    for (const Forced& one : settings.forced) {
+        const bool known = std::any_of(forced.begin(), forced.end(),
+                                       [&](const Forced& other) { return other.id == one.id; });
+        if (!known && infoOf(one.id).kind != Switch::none) forced.push_back(one);
+    }
+    settings.forced = std::move(forced);
     return settings;
 }
 

@@ -1,5 +1,7 @@
 #include "app/instrument_stages.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "core/stop.h"
@@ -9,6 +11,8 @@ namespace {
 
 // Of each setting of the trade, and of its reference: some seconds for all of them.
 constexpr double kTradeRays = 60'000.0, kReferenceRays = 1'500'000.0;
+// Of all runs that check a choice.
+constexpr double kCheckRays = 20'000'000.0;
 constexpr std::uint32_t kTradePixels = 48;
 constexpr double kTarget = 0.01;
 
@@ -78,15 +82,20 @@ std::vector<TradeSetting> settingsOf(const Sensor& sensor, std::uint32_t depth) 
     return settings;
 }
 
+/// Of the trade.
+Problem problemOf(const LightQuestion& asked, const Sensor& sensor, const StopQuestion& stop) {
+    return {.index = asked.scene->index,
+            .sensor = sensor,
+            .maxDepth = asked.settings.maxDepth,
+            .seed = asked.settings.seed,
+            .stop = stop};
+}
+
 /// One more setting. False: all are done.
 bool goOnTrading(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
     const Sensor sensor = instrumentSensor(asked);
     const std::uint32_t depth = asked.settings.maxDepth;
-    const Problem problem{.index = asked.scene->index,
-                          .sensor = sensor,
-                          .maxDepth = depth,
-                          .seed = asked.settings.seed,
-                          .stop = stop};
+    const Problem problem = problemOf(asked, sensor, stop);
     auto next = cache.answers.trade ? std::make_shared<TradeSoFar>(*cache.answers.trade)
                                     : std::make_shared<TradeSoFar>();
     const std::vector<TradeSetting> settings = settingsOf(sensor, depth);
@@ -98,6 +107,8 @@ bool goOnTrading(const LightQuestion& asked, InstrumentCache& cache, const StopQ
             cache.reference = exactReference(problem);
             if (!cache.reference) cache.reference = longRun(problem, {.rays = asked.effort * kReferenceRays});
         }
+        if (!(cache.reference->light() > 0.0))
+            throw NoReference("no light arrives here: no error is a share of anything");
     } catch (const NoReference& why) {
         next->refusal = why.what();
         next->done = next->settings;
@@ -113,6 +124,32 @@ bool goOnTrading(const LightQuestion& asked, InstrumentCache& cache, const StopQ
     next->report = tradeReport(
         std::move(cells), {reference.light(), reference.relativeError, reference.exact(), depth}, kTarget);
     tell();
+    return true;
+}
+
+/// How often what was chosen is done again; nothing: even the least that tells an error would take too long.
+/// By rays, so that it is the same on every machine; by time only where that is out of all proportion.
+std::optional<std::uint64_t> checksOf(const TradeChoice& choice, double effort) {
+    constexpr double kLeastRuns = 4.0, kMostRuns = 8.0, kLongest = 20.0;  // s
+    const double runs = std::floor(effort * kCheckRays / std::max(choice.rays, 1.0));
+    if (runs < kLeastRuns || kLeastRuns * choice.seconds > effort * kLongest) return std::nullopt;
+    return static_cast<std::uint64_t>(std::min(runs, kMostRuns));
+}
+
+/// Does what the dial chose, if that was not done yet. False: nothing was to be done.
+bool checkTrade(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
+    const auto& known = cache.answers.trade;
+    if (!known || !known->complete() || !known->refusal.empty() || !cache.reference) return false;
+    const auto choice = choose(known->report, wishOf(asked.instrumentSettings));
+    if (!choice || (known->check && known->check->answers(*choice))) return false;
+    auto next = std::make_shared<TradeSoFar>(*known);
+    next->check = TradeCheck{*choice};
+    if (const auto runs = checksOf(*choice, asked.effort)) {
+        const Sensor sensor = instrumentSensor(asked);
+        next->check->outcome =
+            checkChoice(problemOf(asked, sensor, stop), known->report, *choice, *cache.reference, *runs, 1);
+    }
+    cache.answers.trade = std::move(next);
     return true;
 }
 
@@ -161,6 +198,7 @@ void measureInstruments(LightAnswer& answer, InstrumentCache& cache, const std::
             tell();
         }
         while (asked.instruments.has(View::trade) && !cancelled && goOnTrading(asked, cache, stop)) tell();
+        if (asked.instruments.has(View::trade) && !cancelled && checkTrade(asked, cache, stop)) tell();
     } catch (const Stopped&) {
         // A newer question waits; what is whole is kept.
     }

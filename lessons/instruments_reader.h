@@ -7,7 +7,7 @@
 namespace halfdisk {
 
 /// Replaces what the table has: dial = { scale, offset, gap, precision, policy, epsilon }, wishedError or
-/// wishedMilliseconds, tolerance. Does not finish the table.
+/// wishedMilliseconds, tradeCost, tolerance. Does not finish the table.
 void readInstruments(TableReader& table, InstrumentSettings& settings);
 
 }  // namespace halfdisk

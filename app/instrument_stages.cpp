@@ -1,6 +1,7 @@
 #include "app/instrument_stages.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -13,6 +14,7 @@ namespace {
 constexpr double kTradeRays = 60'000.0, kReferenceRays = 1'500'000.0;
 // Of all runs that check a choice.
 constexpr double kCheckRays = 20'000'000.0;
+constexpr auto kLongestSetting = std::chrono::seconds(4);
 constexpr std::uint32_t kTradePixels = 48;
 constexpr double kTarget = 0.01;
 
@@ -91,6 +93,26 @@ Problem problemOf(const LightQuestion& asked, const Sensor& sensor, const StopQu
             .stop = stop};
 }
 
+/// A setting whose least number of passes takes too long, as castRay's trees do at great depths, is told as
+/// refused. Throws Stopped.
+TradeCell measureInTime(const Problem& problem, const TradeSetting& setting, const TradeReference& reference,
+                        double effort) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto late = [start] { return std::chrono::steady_clock::now() - start > kLongestSetting; };
+    Problem timed = problem;
+    timed.stop = [&] { return late() || (problem.stop && problem.stop()); };
+    try {
+        return measureCell(timed, setting, problem.maxDepth, reference, {.rays = effort * kTradeRays});
+    } catch (const Stopped&) {
+        if (problem.stop && problem.stop()) throw;
+    }
+    TradeCell cell;
+    cell.setting = setting;
+    cell.name = nameOf(setting, problem.maxDepth);
+    cell.refusal = "a few passes take too long at this depth";
+    return cell;
+}
+
 /// One more setting. False: all are done.
 bool goOnTrading(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
     const Sensor sensor = instrumentSensor(asked);
@@ -118,8 +140,7 @@ bool goOnTrading(const LightQuestion& asked, InstrumentCache& cache, const StopQ
     const TradeReference& reference = *cache.reference;
     next->reference = reference.how;
     std::vector<TradeCell> cells = next->report.cells;
-    cells.push_back(
-        measureCell(problem, settings[next->done], depth, reference, {.rays = asked.effort * kTradeRays}));
+    cells.push_back(measureInTime(problem, settings[next->done], reference, asked.effort));
     ++next->done;
     next->report = tradeReport(
         std::move(cells), {reference.light(), reference.relativeError, reference.exact(), depth}, kTarget);

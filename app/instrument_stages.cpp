@@ -14,7 +14,7 @@ namespace {
 constexpr double kTradeRays = 60'000.0, kReferenceRays = 1'500'000.0;
 // Of all runs that check a choice.
 constexpr double kCheckRays = 20'000'000.0;
-constexpr auto kLongestSetting = std::chrono::seconds(4);
+constexpr std::chrono::duration<double> kLongestSetting(4.0);
 constexpr std::uint32_t kTradePixels = 48;
 constexpr double kTarget = 0.01;
 
@@ -98,7 +98,8 @@ Problem problemOf(const LightQuestion& asked, const Sensor& sensor, const StopQu
 TradeCell measureInTime(const Problem& problem, const TradeSetting& setting, const TradeReference& reference,
                         double effort) {
     const auto start = std::chrono::steady_clock::now();
-    const auto late = [start] { return std::chrono::steady_clock::now() - start > kLongestSetting; };
+    const auto most = std::clamp(16.0 * effort, 0.05, 1.0) * kLongestSetting;
+    const auto late = [start, most] { return std::chrono::steady_clock::now() - start > most; };
     Problem timed = problem;
     timed.stop = [&] { return late() || (problem.stop && problem.stop()); };
     try {

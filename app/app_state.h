@@ -77,6 +77,7 @@ struct AppState {
     Makers makers;                 ///< of the pictures
     InstrumentSettings instruments;
     std::optional<std::size_t> pickedTrade;  ///< of the trade's settings: the one that the stage shows
+    std::optional<Maker> beforePick;         ///< what made the pictures before it was picked
     bool unlockAll = false;
     ClassRules rules;
 

@@ -163,20 +163,23 @@ void applyUnchecked(AppState& state, const Command& command) {
             [&](const SetInstruments& c) {
                 const InstrumentSettings settings = withinLimits(c.settings);
                 if (state.instruments == settings) return;
-                // What is only wished for needs no new light.
+                // What is only wished for of the trade leaves the run and its playback as they are.
                 InstrumentSettings measured = settings;
                 measured.wish = state.instruments.wish;
                 measured.wishedError = state.instruments.wishedError;
                 measured.wishedMilliseconds = state.instruments.wishedMilliseconds;
+                measured.tradeCost = state.instruments.tradeCost;
                 const bool anew = !(measured == state.instruments);
                 state.instruments = settings;
-                if (anew) askAnew(state);
+                if (anew) return askAnew(state);
+                if (state.shows(View::trade)) ++state.questionId;
             },
             [&](const PickTrade& c) {
+                if (c.cell && state.makers.first == c.maker) return;
+                if (!state.pickedTrade) state.beforePick = state.makers.first;
+                state.makers.first = c.cell ? std::optional(c.maker) : state.beforePick;
                 state.pickedTrade = c.cell;
-                if (!c.cell) return;
-                state.makers.first = c.maker;
-                askAnew(state);
+                ++state.questionId;  // the run and its playback stay
             },
             [&](ShowSample c) { state.shownSample = c.event; },
             [&](const FilterSamples& c) { state.sampleRange = c.range; },

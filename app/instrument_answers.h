@@ -8,8 +8,25 @@
 #include "core/extremes/dial.h"
 #include "core/requirements/requirements.h"
 #include "core/trade/trade_report.h"
+#include "lessons/instruments.h"
 
 namespace halfdisk {
+
+/// What the dial asks for.
+inline TradeWish wishOf(const InstrumentSettings& settings) {
+    if (settings.wish == Wish::error) return {settings.tradeCost, settings.wishedError, 0.0};
+    return {TradeCost::seconds, std::nullopt, settings.wishedMilliseconds / 1000.0};
+}
+
+/// What the dial chose, done again with other seeds.
+struct TradeCheck {
+    TradeChoice choice;
+    std::optional<TradeOutcome> outcome{};  ///< none: it would take too long
+
+    bool answers(const TradeChoice& asked) const {
+        return choice.cell == asked.cell && choice.passes == asked.passes;
+    }
+};
 
 /// The trade as far as it is measured.
 struct TradeSoFar {
@@ -17,7 +34,8 @@ struct TradeSoFar {
     std::string reference;  ///< in words
     std::string refusal;    ///< not empty: why there is none
     std::size_t settings = 0;
-    std::size_t done = 0;  ///< of them
+    std::size_t done = 0;               ///< of them
+    std::optional<TradeCheck> check{};  ///< of a wish that may be older than the window's
     bool complete() const { return done == settings; }
 };
 

@@ -1,5 +1,8 @@
 #include "app/instrument_stages.h"
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <stdexcept>
 
 #include "core/stop.h"
@@ -9,6 +12,9 @@ namespace {
 
 // Of each setting of the trade, and of its reference: some seconds for all of them.
 constexpr double kTradeRays = 60'000.0, kReferenceRays = 1'500'000.0;
+// Of all runs that check a choice.
+constexpr double kCheckRays = 20'000'000.0;
+constexpr std::chrono::duration<double> kLongestSetting(4.0);
 constexpr std::uint32_t kTradePixels = 48;
 constexpr double kTarget = 0.01;
 
@@ -78,15 +84,41 @@ std::vector<TradeSetting> settingsOf(const Sensor& sensor, std::uint32_t depth) 
     return settings;
 }
 
+/// Of the trade.
+Problem problemOf(const LightQuestion& asked, const Sensor& sensor, const StopQuestion& stop) {
+    return {.index = asked.scene->index,
+            .sensor = sensor,
+            .maxDepth = asked.settings.maxDepth,
+            .seed = asked.settings.seed,
+            .stop = stop};
+}
+
+/// A setting whose least number of passes takes too long, as castRay's trees do at great depths, is told as
+/// refused. Throws Stopped.
+TradeCell measureInTime(const Problem& problem, const TradeSetting& setting, const TradeReference& reference,
+                        double effort) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto most = std::clamp(16.0 * effort, 0.05, 1.0) * kLongestSetting;
+    const auto late = [start, most] { return std::chrono::steady_clock::now() - start > most; };
+    Problem timed = problem;
+    timed.stop = [&] { return late() || (problem.stop && problem.stop()); };
+    try {
+        return measureCell(timed, setting, problem.maxDepth, reference, {.rays = effort * kTradeRays});
+    } catch (const Stopped&) {
+        if (problem.stop && problem.stop()) throw;
+    }
+    TradeCell cell;
+    cell.setting = setting;
+    cell.name = nameOf(setting, problem.maxDepth);
+    cell.refusal = "a few passes take too long at this depth";
+    return cell;
+}
+
 /// One more setting. False: all are done.
 bool goOnTrading(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
     const Sensor sensor = instrumentSensor(asked);
     const std::uint32_t depth = asked.settings.maxDepth;
-    const Problem problem{.index = asked.scene->index,
-                          .sensor = sensor,
-                          .maxDepth = depth,
-                          .seed = asked.settings.seed,
-                          .stop = stop};
+    const Problem problem = problemOf(asked, sensor, stop);
     auto next = cache.answers.trade ? std::make_shared<TradeSoFar>(*cache.answers.trade)
                                     : std::make_shared<TradeSoFar>();
     const std::vector<TradeSetting> settings = settingsOf(sensor, depth);
@@ -98,6 +130,8 @@ bool goOnTrading(const LightQuestion& asked, InstrumentCache& cache, const StopQ
             cache.reference = exactReference(problem);
             if (!cache.reference) cache.reference = longRun(problem, {.rays = asked.effort * kReferenceRays});
         }
+        if (!(cache.reference->light() > 0.0))
+            throw NoReference("no light arrives here: no error is a share of anything");
     } catch (const NoReference& why) {
         next->refusal = why.what();
         next->done = next->settings;
@@ -107,12 +141,37 @@ bool goOnTrading(const LightQuestion& asked, InstrumentCache& cache, const StopQ
     const TradeReference& reference = *cache.reference;
     next->reference = reference.how;
     std::vector<TradeCell> cells = next->report.cells;
-    cells.push_back(
-        measureCell(problem, settings[next->done], depth, reference, {.rays = asked.effort * kTradeRays}));
+    cells.push_back(measureInTime(problem, settings[next->done], reference, asked.effort));
     ++next->done;
     next->report = tradeReport(
         std::move(cells), {reference.light(), reference.relativeError, reference.exact(), depth}, kTarget);
     tell();
+    return true;
+}
+
+/// How often what was chosen is done again; nothing: even the least that tells an error would take too long.
+/// By rays, so that it is the same on every machine; by time only where that is out of all proportion.
+std::optional<std::uint64_t> checksOf(const TradeChoice& choice, double effort) {
+    constexpr double kLeastRuns = 4.0, kMostRuns = 8.0, kLongest = 20.0;  // s
+    const double runs = std::floor(effort * kCheckRays / std::max(choice.rays, 1.0));
+    if (runs < kLeastRuns || kLeastRuns * choice.seconds > effort * kLongest) return std::nullopt;
+    return static_cast<std::uint64_t>(std::min(runs, kMostRuns));
+}
+
+/// Does what the dial chose, if that was not done yet. False: nothing was to be done.
+bool checkTrade(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
+    const auto& known = cache.answers.trade;
+    if (!known || !known->complete() || !known->refusal.empty() || !cache.reference) return false;
+    const auto choice = choose(known->report, wishOf(asked.instrumentSettings));
+    if (!choice || (known->check && known->check->answers(*choice))) return false;
+    auto next = std::make_shared<TradeSoFar>(*known);
+    next->check = TradeCheck{*choice};
+    if (const auto runs = checksOf(*choice, asked.effort)) {
+        const Sensor sensor = instrumentSensor(asked);
+        next->check->outcome =
+            checkChoice(problemOf(asked, sensor, stop), known->report, *choice, *cache.reference, *runs, 1);
+    }
+    cache.answers.trade = std::move(next);
     return true;
 }
 
@@ -161,6 +220,7 @@ void measureInstruments(LightAnswer& answer, InstrumentCache& cache, const std::
             tell();
         }
         while (asked.instruments.has(View::trade) && !cancelled && goOnTrading(asked, cache, stop)) tell();
+        if (asked.instruments.has(View::trade) && !cancelled && checkTrade(asked, cache, stop)) tell();
     } catch (const Stopped&) {
         // A newer question waits; what is whole is kept.
     }

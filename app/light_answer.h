@@ -47,6 +47,8 @@ struct LightQuestion {
     Side pixelOf = Side::first;            ///< whose strip it is of
     bool wantsTree = false;                ///< also a cloud of its deeper rays, if they are many
     double effort = 1.0;                   ///< share of the usual work that is done after the first run, > 0
+
+    bool operator==(const LightQuestion&) const = default;
 };
 
 /// What one maker made; null: not begun, not wanted, or (eye) the scene has none.

@@ -18,7 +18,23 @@ struct LightJob::Caches {
     /// Every record is held here as well, so that its megabytes are given back on this thread, not within a
     /// frame.
     std::vector<std::shared_ptr<const void>> records;
+    /// All but the instruments, of the last question whose light was finished.
+    std::optional<LightAnswer> settled;
 };
+
+namespace {
+
+/// Another wish of the trade changes nothing else.
+bool differInWish(LightQuestion a, const LightQuestion& b) {
+    a.id = b.id;
+    a.instrumentSettings.wish = b.instrumentSettings.wish;
+    a.instrumentSettings.wishedError = b.instrumentSettings.wishedError;
+    a.instrumentSettings.wishedMilliseconds = b.instrumentSettings.wishedMilliseconds;
+    a.instrumentSettings.tradeCost = b.instrumentSettings.tradeCost;
+    return a == b;
+}
+
+}  // namespace
 
 LightJob::LightJob() : thread_([this] { run(); }) {}
 
@@ -68,6 +84,31 @@ void LightJob::publish(const LightAnswer& answer) {
 }
 
 void LightJob::answerAll(LightAnswer& answer, Caches& caches) {
+    const auto superseded = [&] {
+        const std::lock_guard guard(mutex_);
+        return waiting_.has_value() || quit_;
+    };
+    const auto publishNow = [&] { publish(answer); };
+    if (caches.settled && differInWish(caches.settled->asked, answer.asked)) {
+        const LightQuestion asked = std::move(answer.asked);
+        answer = *caches.settled;
+        answer.asked = asked;
+        finishingFirstPicture_ = false;
+        recallInstruments(answer, caches.instruments);
+        publishNow();
+    } else {
+        caches.settled.reset();
+        answerLight(answer, caches, superseded);
+        if (!superseded()) caches.settled = answer;
+    }
+    if (!superseded()) measureInstruments(answer, caches.instruments, cancelled_, publishNow);
+    if (!superseded()) {
+        answer.complete = true;
+        publishNow();
+    }
+}
+
+void LightJob::answerLight(LightAnswer& answer, Caches& caches, const std::function<bool()>& superseded) {
     std::erase_if(caches.records, [](const auto& record) { return record.use_count() == 1; });
     recordRun(answer, cancelled_);
     recordPathRun(answer, cancelled_);
@@ -78,10 +119,6 @@ void LightJob::answerAll(LightAnswer& answer, Caches& caches) {
     recallPictures(answer, caches.pictures);
     recallInstruments(answer, caches.instruments);
     if (!cancelled_) publish(answer);
-    const auto superseded = [&] {
-        const std::lock_guard guard(mutex_);
-        return waiting_.has_value() || quit_;
-    };
     const auto publishNow = [&] { publish(answer); };
     if (!superseded() && answer.asked.instruments.has(View::extremes)) {
         answerDial(answer, caches.instruments, cancelled_);
@@ -97,11 +134,6 @@ void LightJob::answerAll(LightAnswer& answer, Caches& caches) {
     if (!superseded()) refine(answer, caches.references, cancelled_, publishNow);
     if (!superseded()) findExactPictures(answer, caches.references, cancelled_);
     if (!superseded()) refinePictures(answer, caches.pictures, cancelled_, publishNow, UINT_MAX);
-    if (!superseded()) measureInstruments(answer, caches.instruments, cancelled_, publishNow);
-    if (!superseded()) {
-        answer.complete = true;
-        publishNow();
-    }
 }
 
 void LightJob::run() {

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <thread>
@@ -38,6 +39,8 @@ class LightJob {
 
     void run();
     void answerAll(LightAnswer& answer, Caches& caches);
+    /// All but the instruments.
+    void answerLight(LightAnswer& answer, Caches& caches, const std::function<bool()>& superseded);
     void publish(const LightAnswer& answer);
 
     mutable std::mutex mutex_;

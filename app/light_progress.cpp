@@ -7,6 +7,7 @@
 
 #include "app/language.h"
 #include "app/picture_stages.h"
+#include "app/trade_words.h"
 
 namespace halfdisk {
 namespace {
@@ -25,6 +26,15 @@ double shareOfPoint(const LightAnswer& answer) {
 /// Nothing if it is an answer to an older question.
 const LightAnswer* answerOf(const AppState& state) {
     return state.answer && state.answer->asked.id == state.questionId ? state.answer.get() : nullptr;
+}
+
+/// Measured, and what was chosen of it tried.
+double shareOfTrade(const AppState& state, const LightAnswer* answer) {
+    const TradeSoFar* trade = answer ? answer->instruments.trade.get() : nullptr;
+    if (!trade || trade->settings == 0) return 0.0;
+    const auto choice = trade->complete() ? choiceOf(state, *trade) : std::nullopt;
+    if (trade->complete() && (!choice || checkOf(*trade, *choice))) return 1.0;
+    return 0.9 * static_cast<double>(trade->done) / static_cast<double>(trade->settings);
 }
 
 std::vector<Part> partsOf(const AppState& state) {
@@ -48,6 +58,8 @@ std::vector<Part> partsOf(const AppState& state) {
         parts.push_back(
             {std::string(nameOf(kViews, View::strategies)),
              answer && answer->strategies ? shareDone(*answer->strategies, answer->asked.effort) : 0.0});
+    if (state.shows(View::trade))
+        parts.push_back({std::string(tr("the trade")), shareOfTrade(state, answer)});
     return parts;
 }
 

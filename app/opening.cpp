@@ -63,6 +63,8 @@ void showDescribed(AppState& state, SceneDescription scene, const std::filesyste
     state.makers = {};
     state.run = Run::castRay;
     state.scale = FieldScale::light;
+    state.pickedTrade.reset();
+    state.beforePick.reset();
     state.strategiesAlone = false;
     askAnew(state);
     state.playback.stepping = false;
@@ -128,6 +130,7 @@ void enterStep(AppState& state, std::size_t step) {
     state.scale = values.scale;
     state.instruments = values.instruments;
     state.pickedTrade.reset();
+    state.beforePick.reset();
     state.strategiesAlone = false;
     state.sampleRange.reset();
     state.largestFirst = false;
@@ -168,6 +171,9 @@ void showShared(AppState& state, const std::string& text) {
     state.makers = shared.makers;
     state.run = shared.run;
     state.scale = shared.scale;
+    state.instruments = shared.instruments;
+    state.pickedTrade.reset();
+    state.beforePick.reset();
     state.strategiesAlone = shared.strategiesAlone;
     pinIfPossible(state, shared.pinnedPixel, shared.pinnedSide);
     askAnew(state);

@@ -17,6 +17,7 @@
 #include "app/render_sensor.h"
 #include "app/scene_words.h"
 #include "app/shown_pictures.h"
+#include "app/trade_words.h"
 
 namespace halfdisk {
 namespace {
@@ -255,6 +256,7 @@ std::string drawingWords(const AppState& state, std::string_view name) {
     if (name == "field") return fieldWords(state);
     if (name == "strategies") return strategiesWords(state);
     if (name == "extremes") return extremesWords(state);
+    if (name == "trade") return tradeWords(state);
     return {};
 }
 

@@ -119,6 +119,7 @@ Json jsonOf(const InstrumentSettings& settings) {
             {"wish", std::string(nameOf(kWishes, settings.wish))},
             {"error", settings.wishedError},
             {"milliseconds", settings.wishedMilliseconds},
+            {"cost", std::string(nameOf(kTradeCosts, settings.tradeCost))},
             {"tolerance", settings.tolerance},
             {"forced", forced}};
 }
@@ -135,6 +136,7 @@ InstrumentSettings instrumentsOf(const Json& json) {
     settings.wish = named(json, "wish", kWishes);
     settings.wishedError = within(json, "error", kLeastWishedError, kMostWishedError);
     settings.wishedMilliseconds = within(json, "milliseconds", kLeastMilliseconds, kMostMilliseconds);
+    if (json.contains("cost")) settings.tradeCost = named(json, "cost", kTradeCosts);
     settings.tolerance = within(json, "tolerance", kLeastTolerance, kMostTolerance);
     const Json& forced = valueOf(json, "forced", "an object");
     if (!forced.is_object()) failValue("forced", forced, "an object");

@@ -25,7 +25,15 @@ double spentOf(const TradeReport& report, std::size_t cell, TradeCost cost) {
     return law.preparation[at(cost)] + static_cast<double>(report.cells[cell].passes) * law.perPass[at(cost)];
 }
 
-PlotAxis costAxis(const TradeReport& report, TradeCost cost) {
+double costOf(const TradeChoice& choice, TradeCost cost) {
+    return cost == TradeCost::rays ? choice.rays : choice.seconds;
+}
+
+double costOf(const TradeOutcome& outcome, TradeCost cost) {
+    return cost == TradeCost::rays ? outcome.rays : outcome.seconds;
+}
+
+PlotAxis costAxis(const TradeReport& report, TradeCost cost, const TradeMarks& marks) {
     PlotAxis axis{1.0, 10.0, true, cost == TradeCost::rays ? "rays" : "seconds"};
     bool any = false;
     for (std::size_t i = 0; i < report.cells.size(); ++i) {
@@ -38,24 +46,26 @@ PlotAxis costAxis(const TradeReport& report, TradeCost cost) {
         axis.to = any ? std::max(axis.to, last) : last;
         any = true;
     }
+    if (const double wished = marks.choice ? costOf(*marks.choice, cost) : 0.0; any && wished > 0.0) {
+        axis.from = std::min(axis.from, wished);
+        axis.to = std::max(axis.to, wished / 10.0);
+    }
     axis.from = std::pow(10.0, std::floor(std::log10(axis.from)));
     // Beyond the budgets the laws are told too: a decade shows who wins with more patience.
     axis.to = std::max(std::pow(10.0, std::ceil(std::log10(axis.to)) + 1.0), 10.0 * axis.from);
     return axis;
 }
 
-PlotAxis errorAxis(const TradeReport& report) {
+PlotAxis errorAxis(const TradeReport& report, const TradeMarks& marks) {
     PlotAxis axis{kPercent * kMostTradeError, kPercent * kMostTradeError, true, "error, % of the light"};
     for (std::size_t i = 0; i < report.cells.size(); ++i)
         if (report.cells[i].measured() && report.verdicts[i].relativeError > 0.0)
             axis.from = std::min(axis.from, kPercent * report.verdicts[i].relativeError / 3.0);
+    if (marks.choice && marks.choice->relativeError > 0.0)
+        axis.from = std::min(axis.from, kPercent * marks.choice->relativeError / 1.5);
     axis.from =
         std::pow(10.0, std::floor(std::log10(std::clamp(axis.from, kPercent * kLeastTradeError, 10.0))));
     return axis;
-}
-
-ImVec2 dotOf(const Plot& plot, const TradeReport& report, std::size_t cell, TradeCost cost) {
-    return plot.at(spentOf(report, cell, cost), kPercent * report.verdicts[cell].relativeError);
 }
 
 bool isShown(const Plot& plot, ImVec2 place) {
@@ -87,20 +97,55 @@ std::vector<ImVec2> frontCurve(const Plot& plot, const TradeReport& report, Trad
 }
 
 void drawDots(const Ui& ui, const Plot& plot, const TradeReport& report, TradeCost cost,
-              std::optional<std::size_t> chosen) {
+              const TradeMarks& marks) {
     const Pen pen = penOf(ui);
     for (std::size_t i = 0; i < report.cells.size(); ++i) {
         if (!report.cells[i].measured()) continue;
-        const ImVec2 dot = dotOf(plot, report, i, cost);
+        const ImVec2 dot = tradeDot(plot, report, i, cost);
         if (!isShown(plot, dot)) continue;
         const ImU32 color = tradeColor(ui.palette, *report.cells[i].setting.estimator);
-        if (report.verdicts[i].nobody) {
+        if (report.verdicts[i].dominated[at(cost)]) {
             pen.AddCircle(dot, 4 * ui.scale, color, 0, 1.5f * ui.scale);
         } else {
             pen.AddCircleFilled(dot, 5 * ui.scale, color);
         }
-        if (chosen == i) pen.AddCircle(dot, 9 * ui.scale, ui.palette.ink, 0, 2.5f * ui.scale);
+        if (marks.choice && marks.choice->cell == i)
+            pen.AddCircle(dot, 9 * ui.scale, ui.palette.ink, 0, 2.5f * ui.scale);
+        const float half = 12 * ui.scale;
+        if (marks.onStage == i)
+            addRect(pen, {dot.x - half, dot.y - half}, {dot.x + half, dot.y + half}, ui.palette.accent, 0.0f,
+                    2 * ui.scale);
     }
+}
+
+/// What is wished for, where that should be, and where it was when it was done.
+void drawMarks(const Ui& ui, const Plot& plot, TradeCost cost, const TradeMarks& marks) {
+    const Pen pen = penOf(ui);
+    const float scale = ui.scale;
+    const CanvasRect& area = plot.area;
+    pen.PushClipRect(area.min, area.max, true);
+    if (marks.wish && marks.wish->relativeError) {
+        const float y = plot.at(plot.x.from, kPercent * *marks.wish->relativeError).y;
+        pen.AddLine({area.min.x, y}, {area.max.x, y}, ui.palette.accent, 1.5f * scale);
+    } else if (marks.wish && marks.wish->cost == cost) {
+        const float x = plot.at(marks.wish->budget, plot.y.from).x;
+        pen.AddLine({x, area.min.y}, {x, area.max.y}, ui.palette.accent, 1.5f * scale);
+    }
+    if (marks.choice) {
+        const ImVec2 to = plot.at(costOf(*marks.choice, cost), kPercent * marks.choice->relativeError);
+        const float arm = 7 * scale;
+        pen.AddLine({to.x - arm, to.y - arm}, {to.x + arm, to.y + arm}, ui.palette.accent, 2.5f * scale);
+        pen.AddLine({to.x - arm, to.y + arm}, {to.x + arm, to.y - arm}, ui.palette.accent, 2.5f * scale);
+    }
+    if (marks.outcome) {
+        const double spent = costOf(*marks.outcome, cost);
+        const Uncertain error = marks.outcome->relativeError;
+        const ImVec2 dot = plot.at(spent, kPercent * error.value);
+        pen.AddLine(plot.at(spent, kPercent * std::max(error.value - error.error, 1e-9)),
+                    plot.at(spent, kPercent * (error.value + error.error)), ui.palette.error, 2.5f * scale);
+        pen.AddCircleFilled(dot, 4.5f * scale, ui.palette.error);
+    }
+    pen.PopClipRect();
 }
 
 /// RMSE as a share of the light, in percent, and its standard error.
@@ -179,6 +224,10 @@ void drawKeyBelow(const Ui& ui, const Plot& plot, const std::vector<std::pair<Im
 
 }  // namespace
 
+ImVec2 tradeDot(const Plot& plot, const TradeReport& report, std::size_t cell, TradeCost cost) {
+    return plot.at(spentOf(report, cell, cost), kPercent * report.verdicts[cell].relativeError);
+}
+
 ImU32 tradeColor(const Palette& palette, const EstimatorInfo& info) {
     const std::array colors{palette.point,   palette.sample,           palette.light, palette.normal,
                             palette.rayDark, palette.shadowRayBlocked, palette.ink,   palette.halfDisk};
@@ -188,7 +237,7 @@ ImU32 tradeColor(const Palette& palette, const EstimatorInfo& info) {
 }
 
 Plot drawTradeFront(const Ui& ui, const TradeReport& report, TradeCost cost, ImVec2 size,
-                    std::optional<std::size_t> chosen) {
+                    const TradeMarks& marks) {
     std::vector<PlotKey> keys;
     for (const TradeCell& cell : report.cells) {
         const EstimatorInfo& info = *cell.setting.estimator;
@@ -196,18 +245,21 @@ Plot drawTradeFront(const Ui& ui, const TradeReport& report, TradeCost cost, ImV
             keys.push_back({tradeColor(ui.palette, info), std::string(info.id)});
     }
     keys.push_back({ui.palette.currentLine, std::string(tr("the cheapest"))});
+    if (marks.choice) keys.push_back({ui.palette.accent, std::string(tr("wished"))});
+    if (marks.outcome) keys.push_back({ui.palette.error, std::string(tr("measured"))});
     const Plot plot = beginPlot(ui, "front", std::string(tr("What accuracy costs here")), size,
-                                costAxis(report, cost), errorAxis(report), keys);
+                                costAxis(report, cost, marks), errorAxis(report, marks), keys);
     plotLine(ui, plot, frontCurve(plot, report, cost), ui.palette.currentLine, 12 * ui.scale);
     for (std::size_t i = 0; i < report.cells.size(); ++i) {
         const TradeCell& cell = report.cells[i];
         if (!cell.measured()) continue;
         const ImU32 color = tradeColor(ui.palette, *cell.setting.estimator);
-        const bool bold = chosen ? chosen == i : !report.verdicts[i].nobody;
+        const bool bold = marks.choice ? marks.choice->cell == i : !report.verdicts[i].dominated[at(cost)];
         plotLine(ui, plot, curveOf(plot, report.verdicts[i].law, cost),
                  bold ? color : withOpacity(color, 0.35f), (bold ? 2.5f : 1.0f) * ui.scale);
     }
-    drawDots(ui, plot, report, cost, chosen);
+    drawDots(ui, plot, report, cost, marks);
+    drawMarks(ui, plot, cost, marks);
     return plot;
 }
 
@@ -217,7 +269,7 @@ std::optional<std::size_t> tradeCellAt(const Plot& plot, const TradeReport& repo
     float best = reach * reach;
     for (std::size_t i = 0; i < report.cells.size(); ++i) {
         if (!report.cells[i].measured()) continue;
-        const ImVec2 dot = dotOf(plot, report, i, cost);
+        const ImVec2 dot = tradeDot(plot, report, i, cost);
         const float dx = dot.x - place.x, dy = dot.y - place.y, away = dx * dx + dy * dy;
         if (!isShown(plot, dot) || away > best) continue;
         best = away;

@@ -5,6 +5,7 @@
 
 #include "core/extremes/dial.h"
 #include "core/requirements/requirement.h"
+#include "core/trade/trade_cost.h"
 
 namespace halfdisk {
 
@@ -28,10 +29,11 @@ inline constexpr double kLeastTolerance = 1e-4, kMostTolerance = 0.5;
 struct InstrumentSettings {
     DialSetting dial{};
     Wish wish = Wish::error;
-    double wishedError = 0.01;         ///< relative
-    double wishedMilliseconds = 50.0;  ///< ms
-    double tolerance = 0.01;           ///< of the requirements: share of the light that may be missing
-    std::vector<Forced> forced{};      ///< of the requirements
+    double wishedError = 0.01;              ///< relative
+    double wishedMilliseconds = 50.0;       ///< ms
+    TradeCost tradeCost = TradeCost::rays;  ///< the plot's axis, and what a wished error shall cost least of
+    double tolerance = 0.01;                ///< of the requirements: share of the light that may be missing
+    std::vector<Forced> forced{};           ///< of the requirements
     bool operator==(const InstrumentSettings&) const = default;
 };
 

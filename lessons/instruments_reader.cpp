@@ -38,6 +38,9 @@ void readInstruments(TableReader& table, InstrumentSettings& settings) {
     readRange(table, "wishedError", kLeastWishedError, kMostWishedError, settings.wishedError);
     readRange(table, "wishedMilliseconds", kLeastMilliseconds, kMostMilliseconds,
               settings.wishedMilliseconds);
+    if (table.has("wishedMilliseconds")) settings.tradeCost = TradeCost::seconds;
+    if (const TomlValue* cost = table.optional("tradeCost"))
+        settings.tradeCost = readNamed(table.file(), "tradeCost", *cost, kTradeCosts);
 }
 
 }  // namespace halfdisk

@@ -10,7 +10,7 @@ namespace halfdisk {
 void readDial(const std::string& file, const TomlValue& value, DialSetting& dial);
 
 /// Replaces what the table has: dial = { scale, offset, gap, precision, policy, epsilon }, wishedError or
-/// wishedMilliseconds, tolerance. Does not finish the table.
+/// wishedMilliseconds, tradeCost, tolerance. Does not finish the table.
 void readInstruments(TableReader& table, InstrumentSettings& settings);
 
 }  // namespace halfdisk

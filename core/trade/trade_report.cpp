@@ -175,8 +175,8 @@ void judge(TradeReport& report) {
                 verdict.offAtTarget[k] = *verdict.toTarget[k] / atTarget->cost;
             const TradeLaw cheap = lawOf(report.cells[i], report.truth, verdict.biased, -2.0);
             const double margin = cost.value == TradeCost::seconds ? kSureTime : 1.0;
-            const bool dominated = leastFactor(cheap, sure, cost.value).value_or(kNever) > margin;
-            verdict.nobody = dominated && (k == 0 || verdict.nobody);
+            verdict.dominated[k] = leastFactor(cheap, sure, cost.value).value_or(kNever) > margin;
+            verdict.nobody = verdict.dominated[0] && verdict.dominated[1];
         }
     }
 }

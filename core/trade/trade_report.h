@@ -5,15 +5,9 @@
 #include <array>
 
 #include "core/trade/trade_cell.h"
+#include "core/trade/trade_cost.h"
 
 namespace halfdisk {
-
-/// What is paid. Rays are the same on every machine; seconds are not.
-enum class TradeCost : std::uint8_t { rays, seconds };
-inline constexpr std::array<Named<TradeCost>, 2> kTradeCosts{{
-    {TradeCost::rays, "rays", "rays cast, shadow rays included; what is prepared without rays is free"},
-    {TradeCost::seconds, "seconds", "wall-clock time, preparation included"},
-}};
 
 /// Relative errors (RMSE over the light's mean) at which settings are compared: a factor of 10^(1/20) apart.
 inline constexpr double kLeastTradeError = 1e-3, kMostTradeError = 1.0;
@@ -53,7 +47,9 @@ struct TradeVerdict {
     /// reaches none of the errors.
     std::array<std::optional<double>, 2> off;
     bool foundNothing = false;  ///< black, though there is light: too rare for the budget, or never found
-    bool nobody = false;  ///< off by more than the confidence intervals in both costs: dominated everywhere
+    /// Off by more than the confidence intervals for every error: by that cost another one is always better.
+    std::array<bool, 2> dominated{};
+    bool nobody = false;  ///< dominated in both costs
 };
 
 /// Errors between which one setting is the cheapest.

@@ -104,13 +104,15 @@ bool hasWords(std::string_view text) {
 
 /// Files whose literals the window shows.
 constexpr const char* kShown[] = {
-    "step_text.cpp",       "run_text.cpp",     "numbers_panel.cpp", "code_panel.cpp",     "lesson_panel.cpp",
-    "controls_panel.cpp",  "makers_panel.cpp", "plots.cpp",         "profile_plot.cpp",   "eye_strip.cpp",
-    "canvas_field.cpp",    "canvas_rays.cpp",  "canvas_panel.cpp",  "help_overlay.cpp",   "edit_panel.cpp",
-    "inspector.cpp",       "doable.cpp",       "offer_editing.cpp", "offer_settings.cpp", "palette_panel.cpp",
-    "files_panel.cpp",     "drawn_curve.cpp",  "samples_panel.cpp", "state_text.cpp",     "canvas_words.cpp",
-    "plot_words.cpp",      "number_words.cpp", "scene_words.cpp",   "light_progress.cpp", "edit_commands.cpp",
-    "strategies_panel.cpp"};
+    "step_text.cpp",      "run_text.cpp",       "numbers_panel.cpp",    "code_panel.cpp",
+    "lesson_panel.cpp",   "controls_panel.cpp", "makers_panel.cpp",     "plots.cpp",
+    "profile_plot.cpp",   "eye_strip.cpp",      "canvas_field.cpp",     "canvas_rays.cpp",
+    "canvas_panel.cpp",   "help_overlay.cpp",   "edit_panel.cpp",       "inspector.cpp",
+    "doable.cpp",         "offer_editing.cpp",  "offer_settings.cpp",   "palette_panel.cpp",
+    "files_panel.cpp",    "drawn_curve.cpp",    "samples_panel.cpp",    "state_text.cpp",
+    "canvas_words.cpp",   "plot_words.cpp",     "number_words.cpp",     "scene_words.cpp",
+    "light_progress.cpp", "edit_commands.cpp",  "strategies_panel.cpp", "trade_panel.cpp",
+    "trade_words.cpp"};
 
 /// Files that read what a teacher wrote, and refuse it.
 constexpr const char* kReaders[] = {

@@ -8,6 +8,7 @@
 
 #include "app/app_state.h"
 #include "app/instrument_words.h"
+#include "app/requirements_words.h"
 
 namespace halfdisk {
 
@@ -31,7 +32,7 @@ struct PlotTable {
     std::string (*table)(const AppState& state);
 };
 
-inline constexpr std::array<PlotTable, 9> kPlotTables{{
+inline constexpr std::array<PlotTable, 10> kPlotTables{{
     {"integrand", View::integrand, integrandTable},
     {"error", View::error, errorTable},
     {"histogram", View::histogram, histogramTable},
@@ -41,6 +42,7 @@ inline constexpr std::array<PlotTable, 9> kPlotTables{{
     {"field", View::field, fieldTable},
     {"strategies", View::strategies, strategiesTable},
     {"extremes", View::extremes, extremesTable},
+    {"requirements", View::requirements, requirementsTable},
 }};
 
 }  // namespace halfdisk

@@ -255,6 +255,7 @@ std::string drawingWords(const AppState& state, std::string_view name) {
     if (name == "field") return fieldWords(state);
     if (name == "strategies") return strategiesWords(state);
     if (name == "extremes") return extremesWords(state);
+    if (name == "requirements") return requirementsWords(state);
     return {};
 }
 

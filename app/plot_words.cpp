@@ -15,6 +15,7 @@
 #include "app/message_words.h"
 #include "app/profile_difference.h"
 #include "app/render_sensor.h"
+#include "app/requirements_words.h"
 #include "app/scene_words.h"
 #include "app/shown_pictures.h"
 

@@ -60,11 +60,13 @@ std::string valueWords(const Requirement& requirement) {
     return std::string(tr("needed"));
 }
 
+constexpr double kSeen = 1e-5;  // of the light: less is not told
+
 std::string lightWords(const PlanCost& cost) {
     const double sure = 2.0 * cost.changeError;
-    const bool changes = std::abs(cost.change) > sure && std::abs(cost.change) > 1e-9;
+    const bool changes = std::abs(cost.change) > sure && std::abs(cost.change) > kSeen;
     std::string words = changes ? say("light {:+.2g} %", 100.0 * cost.change) : std::string(tr("same light"));
-    if (sure > 1e-9) words += say(" (\u00b1 {:.1g} %)", 100.0 * sure);
+    if (sure > kSeen) words += say(" (\u00b1 {:.1g} %)", 100.0 * sure);
     return words;
 }
 
@@ -186,7 +188,7 @@ std::string adviceLacks(const AppState& state) {
     if (!planned) return {};
     if (!planned->loses.empty()) return told(fmt::format("This plan {}.", planned->loses));
     const auto& missing = planned->bounces.missing;
-    const bool known = missing && missing->depth == planned->plan.maxDepth && missing->share > 0.0;
+    const bool known = missing && missing->depth == planned->plan.maxDepth && missing->share > kSeen;
     return known ? say("It leaves out {:.2g} % of the light.", 100.0 * missing->share) : std::string();
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/extremes/dial.h"
-#include "core/requirements/requirements.h"
+#include "core/requirements/costs.h"
 #include "core/trade/trade_report.h"
 #include "lessons/instruments.h"
 
@@ -50,7 +50,10 @@ struct InstrumentAnswers {
     std::shared_ptr<const DialAnswer> dial;                  ///< null: not wanted, or not begun
     std::shared_ptr<const TradeSoFar> trade;                 ///< the same
     std::shared_ptr<const RequirementsAnswer> requirements;  ///< the same, or refused
+    std::shared_ptr<const RequirementsAnswer> unforced;      ///< with nothing forced: what the scene needs
     std::string requirementsRefusal;
+    std::shared_ptr<const PlanCost> forcedCost;  ///< of what is forced, beside what the scene needs
+    std::shared_ptr<const Costs> costs;          ///< grows row by row
 };
 
 }  // namespace halfdisk

@@ -17,6 +17,7 @@ constexpr double kCheckRays = 20'000'000.0;
 constexpr std::chrono::duration<double> kLongestSetting(4.0);
 constexpr std::uint32_t kTradePixels = 48;
 constexpr double kTarget = 0.01;
+constexpr double kCostRays = 40'000.0;  // of each run that tells what a part costs: a second or two for all
 
 std::optional<std::uint32_t> wallOf(const LightQuestion& asked) {
     return asked.scene->scene.eye ? std::nullopt : std::optional(asked.at.segment);
@@ -36,11 +37,14 @@ void tidy(const LightQuestion& asked, InstrumentCache& cache) {
         cache.effort = asked.effort;
     }
     const InstrumentSettings& settings = asked.instrumentSettings;
+    if (cache.tolerance != settings.tolerance) cache.answers.unforced.reset();
     if (cache.tolerance != settings.tolerance || cache.forced != settings.forced) {
         cache.tolerance = settings.tolerance;
         cache.forced = settings.forced;
         cache.answers.requirements.reset();
         cache.answers.requirementsRefusal.clear();
+        cache.answers.forcedCost.reset();
+        cache.answers.costs.reset();
     }
     if (cache.answers.dial && !(cache.answers.dial->setting == settings.dial)) cache.answers.dial.reset();
 }
@@ -60,19 +64,58 @@ void turnDial(const LightQuestion& asked, InstrumentCache& cache, const StopQues
     cache.answers.dial = std::move(answer);
 }
 
+RequirementsQuestion requirementsQuestion(const LightQuestion& asked, const Sensor& sensor,
+                                          const StopQuestion& stop) {
+    return {.index = asked.scene->index,
+            .sensor = sensor,
+            .tolerance = asked.instrumentSettings.tolerance,
+            .forced = asked.instrumentSettings.forced,
+            .seed = asked.settings.seed,
+            .stop = stop,
+            .effort = asked.effort};
+}
+
+/// First what the scene needs by itself, which is kept: another switch then only chooses another way.
 void askRequirements(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
+    InstrumentAnswers& answers = cache.answers;
     const Sensor sensor = instrumentSensor(asked);
+    const RequirementsQuestion question = requirementsQuestion(asked, sensor, stop);
     try {
-        cache.answers.requirements = std::make_shared<const RequirementsAnswer>(
-            requirementsOf({.index = asked.scene->index,
-                            .sensor = sensor,
-                            .tolerance = asked.instrumentSettings.tolerance,
-                            .forced = asked.instrumentSettings.forced,
-                            .seed = asked.settings.seed,
-                            .stop = stop}));
+        if (!answers.unforced) {
+            RequirementsQuestion free = question;
+            free.forced.clear();
+            answers.unforced = std::make_shared<const RequirementsAnswer>(requirementsOf(free));
+        }
+        answers.requirements =
+            question.forced.empty()
+                ? answers.unforced
+                : std::make_shared<const RequirementsAnswer>(replanned(question, *answers.unforced));
     } catch (const std::invalid_argument& refused) {
-        cache.answers.requirementsRefusal = refused.what();
+        answers.requirementsRefusal = refused.what();
     }
+}
+
+bool lacksRequirements(const LightQuestion& asked, const InstrumentCache& cache) {
+    return asked.instruments.has(View::requirements) && !cache.answers.requirements &&
+           cache.answers.requirementsRefusal.empty();
+}
+
+/// One piece more of what the parts cost. False: all is measured, or there is nothing to measure.
+bool goOnWithCosts(const LightQuestion& asked, InstrumentCache& cache, const StopQuestion& stop) {
+    InstrumentAnswers& answers = cache.answers;
+    if (!answers.requirements || !hasLight(*answers.requirements)) return false;
+    const Sensor sensor = instrumentSensor(asked);
+    const RequirementsQuestion question = requirementsQuestion(asked, sensor, stop);
+    const CostLimits limits{.rays = static_cast<std::uint64_t>(1.0 + asked.effort * kCostRays)};
+    if (!question.forced.empty() && !answers.forcedCost) {
+        answers.forcedCost = std::make_shared<const PlanCost>(
+            compareCost(question, answers.requirements->plan, answers.unforced->plan, limits));
+        return true;
+    }
+    auto next = answers.costs ? std::make_shared<Costs>(*answers.costs) : std::make_shared<Costs>();
+    if (!measureNextCost(question, *answers.requirements, limits, *next)) return false;
+    answers.costs = std::move(next);
+    return true;
 }
 
 /// Of all estimators, at their initial values and with one parameter changed at a time.
@@ -190,7 +233,10 @@ void recallInstruments(LightAnswer& answer, InstrumentCache& cache) {
     if (wanted.has(View::trade)) answer.instruments.trade = cache.answers.trade;
     if (!wanted.has(View::requirements)) return;
     answer.instruments.requirements = cache.answers.requirements;
+    answer.instruments.unforced = cache.answers.unforced;
     answer.instruments.requirementsRefusal = cache.answers.requirementsRefusal;
+    answer.instruments.forcedCost = cache.answers.forcedCost;
+    answer.instruments.costs = cache.answers.costs;
 }
 
 void answerDial(LightAnswer& answer, InstrumentCache& cache, const std::atomic<bool>& cancelled) {
@@ -200,6 +246,18 @@ void answerDial(LightAnswer& answer, InstrumentCache& cache, const std::atomic<b
         turnDial(answer.asked, cache, [&cancelled] { return cancelled.load(std::memory_order_relaxed); });
     } catch (const Stopped&) {
         return;
+    }
+    recallInstruments(answer, cache);
+}
+
+void answerRequirements(LightAnswer& answer, InstrumentCache& cache, const std::atomic<bool>& cancelled) {
+    tidy(answer.asked, cache);
+    if (!lacksRequirements(answer.asked, cache)) return;
+    try {
+        askRequirements(answer.asked, cache,
+                        [&cancelled] { return cancelled.load(std::memory_order_relaxed); });
+    } catch (const Stopped&) {
+        // What the scene needs by itself is kept, if it was found.
     }
     recallInstruments(answer, cache);
 }
@@ -214,11 +272,12 @@ void measureInstruments(LightAnswer& answer, InstrumentCache& cache, const std::
     };
     tidy(asked, cache);
     try {
-        if (asked.instruments.has(View::requirements) && !cache.answers.requirements &&
-            cache.answers.requirementsRefusal.empty()) {
+        if (lacksRequirements(asked, cache)) {
             askRequirements(asked, cache, stop);
             tell();
         }
+        while (asked.instruments.has(View::requirements) && !cancelled && goOnWithCosts(asked, cache, stop))
+            tell();
         while (asked.instruments.has(View::trade) && !cancelled && goOnTrading(asked, cache, stop)) tell();
         if (asked.instruments.has(View::trade) && !cancelled && checkTrade(asked, cache, stop)) tell();
     } catch (const Stopped&) {

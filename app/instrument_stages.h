@@ -1,5 +1,5 @@
-// In which order do the instruments measure? The dial first, for it is dragged; then what the scene requires;
-// last the trade, one setting after the other.
+// In which order do the instruments measure? The dial first, for it is dragged; then what the scene requires,
+// and what its parts cost; last the trade, one setting after the other.
 #pragma once
 
 #include <atomic>
@@ -27,6 +27,9 @@ void recallInstruments(LightAnswer& answer, InstrumentCache& cache);
 
 /// What the dial counts, if it is wanted: fast enough to follow a hand.
 void answerDial(LightAnswer& answer, InstrumentCache& cache, const std::atomic<bool>& cancelled);
+
+/// What the scene requires, if it is wanted: before all that takes long.
+void answerRequirements(LightAnswer& answer, InstrumentCache& cache, const std::atomic<bool>& cancelled);
 
 /// Stage 5: measures what the question wants and calls `publish` after each piece; returns early if
 /// cancelled.

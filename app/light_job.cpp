@@ -131,6 +131,10 @@ void LightJob::answerLight(LightAnswer& answer, Caches& caches, const std::funct
     if (answer.tree) caches.records.push_back(answer.tree);
     // First pictures at once, for what is exactly known may take a while.
     if (!superseded()) refinePictures(answer, caches.pictures, cancelled_, publishNow, 1);
+    if (!superseded() && answer.asked.instruments.has(View::requirements)) {
+        answerRequirements(answer, caches.instruments, cancelled_);
+        publishNow();
+    }
     if (!superseded()) refine(answer, caches.references, cancelled_, publishNow);
     if (!superseded()) findExactPictures(answer, caches.references, cancelled_);
     if (!superseded()) refinePictures(answer, caches.pictures, cancelled_, publishNow, UINT_MAX);

@@ -23,6 +23,15 @@ double shareOfPoint(const LightAnswer& answer) {
     return (answer.record ? 0.25 : 0.0) + (answer.exact ? 0.25 : 0.0) + (answer.runs.count > 0 ? 0.25 : 0.0);
 }
 
+/// What is required is found first, then what each part costs.
+double shareOfRequirements(const InstrumentAnswers& answers) {
+    if (!answers.requirementsRefusal.empty()) return 1.0;
+    if (!answers.requirements) return 0.0;
+    if (!hasLight(*answers.requirements)) return 1.0;
+    if (!answers.costs) return 0.3;
+    return 0.3 + 0.7 * static_cast<double>(answers.costs->done) / static_cast<double>(answers.costs->pieces);
+}
+
 /// Nothing if it is an answer to an older question.
 const LightAnswer* answerOf(const AppState& state) {
     return state.answer && state.answer->asked.id == state.questionId ? state.answer.get() : nullptr;
@@ -60,6 +69,9 @@ std::vector<Part> partsOf(const AppState& state) {
              answer && answer->strategies ? shareDone(*answer->strategies, answer->asked.effort) : 0.0});
     if (state.shows(View::trade))
         parts.push_back({std::string(tr("the trade")), shareOfTrade(state, answer)});
+    if (state.shows(View::requirements))
+        parts.push_back(
+            {std::string(tr("requirements")), answer ? shareOfRequirements(answer->instruments) : 0.0});
     return parts;
 }
 

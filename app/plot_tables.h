@@ -8,6 +8,7 @@
 
 #include "app/app_state.h"
 #include "app/instrument_words.h"
+#include "app/requirements_words.h"
 #include "app/trade_words.h"
 
 namespace halfdisk {
@@ -32,7 +33,7 @@ struct PlotTable {
     std::string (*table)(const AppState& state);
 };
 
-inline constexpr std::array<PlotTable, 10> kPlotTables{{
+inline constexpr std::array<PlotTable, 11> kPlotTables{{
     {"integrand", View::integrand, integrandTable},
     {"error", View::error, errorTable},
     {"histogram", View::histogram, histogramTable},
@@ -43,6 +44,7 @@ inline constexpr std::array<PlotTable, 10> kPlotTables{{
     {"strategies", View::strategies, strategiesTable},
     {"extremes", View::extremes, extremesTable},
     {"trade", View::trade, tradeTable},
+    {"requirements", View::requirements, requirementsTable},
 }};
 
 }  // namespace halfdisk

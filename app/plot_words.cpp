@@ -15,6 +15,7 @@
 #include "app/message_words.h"
 #include "app/profile_difference.h"
 #include "app/render_sensor.h"
+#include "app/requirements_words.h"
 #include "app/scene_words.h"
 #include "app/shown_pictures.h"
 #include "app/trade_words.h"
@@ -257,6 +258,7 @@ std::string drawingWords(const AppState& state, std::string_view name) {
     if (name == "strategies") return strategiesWords(state);
     if (name == "extremes") return extremesWords(state);
     if (name == "trade") return tradeWords(state);
+    if (name == "requirements") return requirementsWords(state);
     return {};
 }
 

@@ -245,15 +245,12 @@ void addRun(WordsPage& page, const AppState& state) {
 void addDrawings(WordsPage& page, const AppState& state) {
     page.heading(drawingTitle(state, "canvas"));
     page.paragraph(drawingWords(state, "canvas"));
-    constexpr std::array kNames{std::pair{View::field, "field"},
-                                std::pair{View::eye, "eye"},
-                                std::pair{View::profile, "profile"},
-                                std::pair{View::integrand, "integrand"},
-                                std::pair{View::error, "error"},
-                                std::pair{View::histogram, "histogram"},
-                                std::pair{View::strategies, "strategies"},
-                                std::pair{View::extremes, "extremes"},
-                                std::pair{View::trade, "trade"}};
+    constexpr std::array kNames{
+        std::pair{View::field, "field"},           std::pair{View::eye, "eye"},
+        std::pair{View::profile, "profile"},       std::pair{View::integrand, "integrand"},
+        std::pair{View::error, "error"},           std::pair{View::histogram, "histogram"},
+        std::pair{View::strategies, "strategies"}, std::pair{View::extremes, "extremes"},
+        std::pair{View::trade, "trade"},           std::pair{View::requirements, "requirements"}};
     const auto add = [&](std::string_view name) {
         page.heading(drawingTitle(state, name));
         page.paragraph(drawingWords(state, name));

@@ -115,40 +115,34 @@ std::vector<std::uint32_t> flipsOf(RequirementId id, std::uint32_t value) {
     return {value - 1, more};
 }
 
-}  // namespace
-
-PlanCost compareCost(const RequirementsQuestion& question, const Plan& plan, const Plan& other,
-                     const CostLimits& limits, Pilot* otherPilot) {
-    const Sensor small = pilotSensor(question.sensor);
-    const Pilot known = run(question, small, other, {.rays = limits.rays});
-    if (otherPilot) *otherPilot = known;
-    return beside(question, small, plan, other, known, limits);
-}
-
-Costs costsOf(const RequirementsQuestion& question, const RequirementsAnswer& answer,
-              const CostLimits& limits) {
-    const auto start = std::chrono::steady_clock::now();
-    const Sensor small = pilotSensor(question.sensor);
-    Costs costs;
-    costs.plan = run(question, small, answer.plan, {.rays = limits.rays});
+/// None of them measured yet.
+std::vector<RequirementCost> rowsOf(const RequirementsQuestion& question, const RequirementsAnswer& answer) {
+    std::vector<RequirementCost> rows;
     for (const RequirementInfo& info : kRequirements) {
         const std::uint32_t value = valueIn(answer.plan, info.id, answer.facts.traits, question.index);
-        for (const std::uint32_t flipped : flipsOf(info.id, value)) {
-            RequirementCost row{
-                .id = info.id, .from = value, .to = flipped, .impossible = {}, .cost = {}, .words = {}};
-            RequirementsQuestion forced = question;
-            std::erase_if(forced.forced, [&](const Forced& one) { return one.id == info.id; });
-            forced.forced.push_back({info.id, flipped});
-            try {
-                const RequirementsAnswer other = replanned(forced, answer);
-                row.cost = beside(question, small, other.plan, answer.plan, costs.plan, limits);
-            } catch (const std::invalid_argument& why) {
-                row.impossible = why.what();
-            }
-            row.words = wordsOf(row);
-            costs.rows.push_back(std::move(row));
-        }
+        for (const std::uint32_t flipped : flipsOf(info.id, value))
+            rows.push_back(
+                {.id = info.id, .from = value, .to = flipped, .impossible = {}, .cost = {}, .words = {}});
     }
+    return rows;
+}
+
+void measureRow(const RequirementsQuestion& question, const RequirementsAnswer& answer,
+                const CostLimits& limits, const Sensor& small, const Pilot& known, RequirementCost& row) {
+    RequirementsQuestion forced = question;
+    std::erase_if(forced.forced, [&](const Forced& one) { return one.id == row.id; });
+    forced.forced.push_back({row.id, row.to});
+    try {
+        const RequirementsAnswer other = replanned(forced, answer);
+        row.cost = beside(question, small, other.plan, answer.plan, known, limits);
+    } catch (const std::invalid_argument& why) {
+        row.impossible = why.what();
+    }
+    row.words = wordsOf(row);
+}
+
+void measureEverything(const RequirementsQuestion& question, const RequirementsAnswer& answer,
+                       const CostLimits& limits, const Sensor& small, Costs& costs) {
     const auto usual = static_cast<std::uint32_t>(kMaxSpecularInfo.initial);
     try {
         costs.everything = beside(question, small,
@@ -159,7 +153,44 @@ Costs costsOf(const RequirementsQuestion& question, const RequirementsAnswer& an
         costs.everything.plan = answer.plan;
         costs.everything.pilot = costs.plan;
     }
-    costs.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+PlanCost compareCost(const RequirementsQuestion& question, const Plan& plan, const Plan& other,
+                     const CostLimits& limits, Pilot* otherPilot) {
+    const Sensor small = pilotSensor(question.sensor);
+    const Pilot known = run(question, small, other, {.rays = limits.rays});
+    if (otherPilot) *otherPilot = known;
+    return beside(question, small, plan, other, known, limits);
+}
+
+bool measureNextCost(const RequirementsQuestion& question, const RequirementsAnswer& answer,
+                     const CostLimits& limits, Costs& costs) {
+    const auto start = std::chrono::steady_clock::now();
+    const Sensor small = pilotSensor(question.sensor);
+    const std::vector<RequirementCost> rows = rowsOf(question, answer);
+    if (costs.complete()) return false;
+    if (costs.done == 0) {
+        costs.plan = run(question, small, answer.plan, {.rays = limits.rays});
+        costs.pieces = rows.size() + 2;
+    } else if (costs.rows.size() < rows.size()) {
+        RequirementCost row = rows[costs.rows.size()];
+        measureRow(question, answer, limits, small, costs.plan, row);
+        costs.rows.push_back(std::move(row));
+    } else {
+        measureEverything(question, answer, limits, small, costs);
+    }
+    ++costs.done;
+    costs.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return true;
+}
+
+Costs costsOf(const RequirementsQuestion& question, const RequirementsAnswer& answer,
+              const CostLimits& limits) {
+    Costs costs;
+    while (measureNextCost(question, answer, limits, costs)) {
+    }
     return costs;
 }
 

@@ -33,6 +33,8 @@ struct Costs {
     std::vector<RequirementCost> rows;  ///< in the order of kRequirements; of numbers fewer, then more
     PlanCost everything;                ///< nothing left out (everythingOn), beside the plan
     double seconds = 0.0;
+    std::size_t pieces = 0, done = 0;  ///< the plan, each row and everything: of them measured
+    bool complete() const { return pieces > 0 && done == pieces; }
 };
 
 struct CostLimits {
@@ -43,6 +45,11 @@ struct CostLimits {
 /// `answer` is what requirementsOf said to the question. Throws Stopped if question.stop says so.
 Costs costsOf(const RequirementsQuestion& question, const RequirementsAnswer& answer,
               const CostLimits& limits = {});
+
+/// The same piece by piece, beginning with Costs{}. False: all was there. Throws Stopped likewise, and costs
+/// stay as they were.
+bool measureNextCost(const RequirementsQuestion& question, const RequirementsAnswer& answer,
+                     const CostLimits& limits, Costs& costs);
 
 /// One plan beside another.
 PlanCost compareCost(const RequirementsQuestion& question, const Plan& plan, const Plan& other,

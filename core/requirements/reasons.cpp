@@ -43,7 +43,7 @@ std::optional<double> leastRays(const RequirementsAnswer& answer, const Is& is) 
 
 std::string fewer(const std::string& way, double times) {
     if (times < 1.05) return joined(way, " takes about as many rays to the same noise");
-    return joined(way, " takes ", words::number(times), " times fewer rays to the same noise");
+    return joined(way, " takes ", words::rounded(times), " times fewer rays to the same noise");
 }
 
 template <class Is>

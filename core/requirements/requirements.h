@@ -78,6 +78,11 @@ struct RequirementsAnswer {
     const Requirement& of(RequirementId id) const { return requirements[static_cast<std::size_t>(id)]; }
 };
 
+/// Whether there is a lamp, a light or an environment that shines.
+inline bool hasLight(const RequirementsAnswer& answer) {
+    return answer.facts.traits.delta || answer.facts.traits.area;
+}
+
 /// Throws std::invalid_argument, with words for the user, for sensors that can't be used, and if no way does
 /// what is forced; Stopped if question.stop says so.
 RequirementsAnswer requirementsOf(const RequirementsQuestion& question);

@@ -1,6 +1,7 @@
 // Numbers in sentences: as many digits as are of use, without a formatting library in core.
 #pragma once
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <string_view>
@@ -19,6 +20,13 @@ inline std::string number(double value, int digits = 2) {
     char text[48];
     std::snprintf(text, sizeof text, "%.*g", digits, value);
     return text;
+}
+
+/// Two digits of a factor, written out: 1.3, 35, 240.
+inline std::string rounded(double factor) {
+    if (!(factor >= 99.5 && factor < 1e6)) return number(factor);
+    const double unit = std::pow(10.0, std::floor(std::log10(factor)) - 1.0);
+    return number(std::round(factor / unit) * unit, 7);
 }
 
 inline std::string percent(double share, int digits = 2) {

@@ -17,6 +17,7 @@
 #include "app/state_text.h"
 #include "app/tree_json.h"
 #include "core/estimators.h"
+#include "core/requirements/requirements.h"
 #include "lessons/input_error.h"
 #include "lessons/lesson_file.h"
 #include "lessons/lesson_list.h"
@@ -104,15 +105,16 @@ bool hasWords(std::string_view text) {
 
 /// Files whose literals the window shows.
 constexpr const char* kShown[] = {
-    "step_text.cpp",      "run_text.cpp",       "numbers_panel.cpp",    "code_panel.cpp",
-    "lesson_panel.cpp",   "controls_panel.cpp", "makers_panel.cpp",     "plots.cpp",
-    "profile_plot.cpp",   "eye_strip.cpp",      "canvas_field.cpp",     "canvas_rays.cpp",
-    "canvas_panel.cpp",   "help_overlay.cpp",   "edit_panel.cpp",       "inspector.cpp",
-    "doable.cpp",         "offer_editing.cpp",  "offer_settings.cpp",   "palette_panel.cpp",
-    "files_panel.cpp",    "drawn_curve.cpp",    "samples_panel.cpp",    "state_text.cpp",
-    "canvas_words.cpp",   "plot_words.cpp",     "number_words.cpp",     "scene_words.cpp",
-    "light_progress.cpp", "edit_commands.cpp",  "strategies_panel.cpp", "trade_panel.cpp",
-    "trade_words.cpp"};
+    "step_text.cpp",       "run_text.cpp",           "numbers_panel.cpp",      "code_panel.cpp",
+    "lesson_panel.cpp",    "controls_panel.cpp",     "makers_panel.cpp",       "plots.cpp",
+    "profile_plot.cpp",    "eye_strip.cpp",          "canvas_field.cpp",       "canvas_rays.cpp",
+    "canvas_panel.cpp",    "help_overlay.cpp",       "edit_panel.cpp",         "inspector.cpp",
+    "doable.cpp",          "offer_editing.cpp",      "offer_settings.cpp",     "palette_panel.cpp",
+    "files_panel.cpp",     "drawn_curve.cpp",        "samples_panel.cpp",      "state_text.cpp",
+    "canvas_words.cpp",    "plot_words.cpp",         "number_words.cpp",       "scene_words.cpp",
+    "light_progress.cpp",  "edit_commands.cpp",      "strategies_panel.cpp",   "trade_panel.cpp",
+    "trade_words.cpp",     "requirements_panel.cpp", "requirements_words.cpp", "extremes_panel.cpp",
+    "instrument_words.cpp"};
 
 /// Files that read what a teacher wrote, and refuse it.
 constexpr const char* kReaders[] = {
@@ -438,6 +440,32 @@ TEST_CASE("every refusal of every estimator is German in German") {
     }
     CHECK(refusing.size() == std::size(estimators()));
     CHECK(refusals > 100);
+}
+
+TEST_CASE("every reason of every requirement is German in German, and what a scene may require too") {
+    const German german;
+    for (const RequirementInfo& info : kRequirements)
+        for (const std::string_view words : {info.title, info.asks, info.fixed})
+            if (!words.empty()) german.expectGerman(std::string(words));
+    for (const auto& entry : std::filesystem::directory_iterator(courseLessons() / "scenes")) {
+        if (entry.path().extension() != ".toml") continue;
+        CAPTURE(entry.path().filename().string());
+        const Scene scene = expandScene(loadScene(entry.path()));
+        const SegmentIndex index(scene);
+        const Sensor sensor = Profile{{0}, 8};
+        const RequirementsQuestion question{.index = index, .sensor = sensor, .effort = 0.02};
+        const RequirementsAnswer answer = requirementsOf(question);
+        for (const Requirement& found : answer.requirements) german.expectGerman(found.reason);
+        if (!answer.loses.empty()) german.expectGerman(fmt::format("This plan {}.", answer.loses));
+        RequirementsQuestion forced = question;
+        forced.forced = {{RequirementId::lightSampling, 0}, {RequirementId::mis, 1}};
+        try {
+            (void)replanned(forced, answer);
+            FAIL("no refusal");
+        } catch (const std::invalid_argument& refused) {
+            german.expectGerman(refused.what());
+        }
+    }
 }
 
 TEST_CASE("what is wrong with a file is told in German, and where it is stays") {

@@ -1,0 +1,286 @@
+#include "app/requirements_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "app/csv_text.h"
+#include "app/language.h"
+#include "app/message_words.h"
+#include "app/requirements_text.h"
+#include "core/requirements/words.h"
+#include "lessons/maker_reader.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr std::array<std::string_view, 3> kGrounds{"proof", "measurement", "force"};
+
+const InstrumentAnswers* answersOf(const AppState& state) {
+    return state.answer ? &state.answer->instruments : nullptr;
+}
+
+/// With what is forced; while that is not known, or refused, what the scene needs by itself. Null: neither.
+const RequirementsAnswer* knownOf(const AppState& state) {
+    const InstrumentAnswers* answers = answersOf(state);
+    if (!answers) return nullptr;
+    return answers->requirements ? answers->requirements.get() : answers->unforced.get();
+}
+
+/// A plan that can be followed.
+const RequirementsAnswer* plannedOf(const AppState& state) {
+    const InstrumentAnswers* answers = answersOf(state);
+    return answers && answers->requirements && hasLight(*answers->requirements) ? answers->requirements.get()
+                                                                                : nullptr;
+}
+
+/// Core's sentences are English, their numbers too.
+std::string told(const std::string& sentence) {
+    std::string words = trMessage(sentence);
+    const Language* language = spoken();
+    if (!language || language->decimalPoint == ".") return words;
+    const auto digit = [&](std::size_t at) {
+        return at < words.size() && std::isdigit(static_cast<unsigned char>(words[at])) != 0;
+    };
+    for (std::size_t at = 1; at < words.size(); ++at)
+        if (words[at] == '.' && digit(at - 1) && digit(at + 1)) words.replace(at, 1, language->decimalPoint);
+    return words;
+}
+
+std::string switchedWords(RequirementId id, std::uint32_t value) {
+    if (infoOf(id).kind == Switch::number && value > 0) return std::to_string(value);
+    return std::string(tr(value > 0 ? "on" : "off"));
+}
+
+std::string valueWords(const Requirement& requirement) {
+    if (!requirement.on) return std::string(tr("not needed"));
+    if (requirement.number) return say("{} needed", *requirement.number);
+    return std::string(tr("needed"));
+}
+
+constexpr double kSeen = 1e-5;  // of the light: less is not told
+
+std::string lightWords(const PlanCost& cost) {
+    const double sure = 2.0 * cost.changeError;
+    const bool changes = std::abs(cost.change) > sure && std::abs(cost.change) > kSeen;
+    std::string words = changes ? say("light {:+.2g} %", 100.0 * cost.change) : std::string(tr("same light"));
+    if (sure > kSeen) words += say(" (\u00b1 {:.1g} %)", 100.0 * sure);
+    return words;
+}
+
+std::string factorWords(double factor) {
+    return local(words::rounded(factor));
+}
+
+std::string raysWords(const PlanCost& cost) {
+    if (std::isinf(cost.raysFactor)) return std::string(tr("noise, where there was none"));
+    if (cost.raysFactor == 0.0) return std::string(tr("no noise any more"));
+    return say("rays \u00d7 {}", factorWords(cost.raysFactor));
+}
+
+std::string timeWords(const PlanCost& cost) {
+    if (!std::isfinite(cost.timeFactor()) || cost.timeFactor() <= 0.0)
+        return say("each ray takes \u00d7 {}", factorWords(cost.timePerRayFactor));
+    return say("time \u00d7 {}", factorWords(cost.timeFactor()));
+}
+
+std::string costWords(const RequirementCost& row, bool time) {
+    const bool number = infoOf(row.id).kind == Switch::number;
+    const std::string change = row.to == 0 ? std::string(tr("without it"))
+                               : number    ? say("with {}", row.to)
+                                           : std::string(tr("with it"));
+    if (!row.impossible.empty()) return fmt::format("{}: {}", change, told(row.impossible));
+    std::string words = fmt::format("{}: {}, {}", change, lightWords(row.cost), raysWords(row.cost));
+    if (time) words += fmt::format(", {}", timeWords(row.cost));
+    return words;
+}
+
+RequirementLine lineOf(const AppState& state, const RequirementsAnswer& known, RequirementId id) {
+    const InstrumentAnswers& answers = *answersOf(state);
+    const Requirement& requirement = known.of(id);
+    RequirementLine line;
+    line.id = id;
+    line.title = tr(infoOf(id).title);
+    line.on = requirement.on;
+    line.value = valueWords(requirement);
+    line.reason = fmt::format("{}: {}", tr(kGrounds[static_cast<std::size_t>(requirement.ground)]),
+                              told(requirement.reason));
+    if (const auto value = forcedValue(state.instruments, id)) {
+        line.forced = true;
+        line.value = say("forced: {}", switchedWords(id, *value));
+        if (answers.unforced)
+            line.reason = fmt::format("{}; {}", say("the scene: {}", valueWords(answers.unforced->of(id))),
+                                      line.reason);
+    }
+    if (!answers.costs) return line;
+    for (const RequirementCost& row : answers.costs->rows)
+        if (row.id == id) {
+            line.costs.push_back(costWords(row, false));
+            line.costsByTime.push_back(costWords(row, true));
+        }
+    return line;
+}
+
+std::string wayWords(const Plan& plan, bool eye) {
+    const std::string_view from = tr(eye ? "from the eye" : "from the wall"),
+                           to = tr(eye ? "to the eye" : "to the wall");
+    if (plan.way.photonPass) return say("Store photons from the lights, then look them up {}", from);
+    if (plan.way.estimator == "bidirectional")
+        return say("Follow paths {} and from the lights, join them in every way, and weigh all", from);
+    if (plan.way.lightPass) return say("Send paths from the lights, and join each wall they meet {}", to);
+    if (plan.way.mis) return say("Follow paths back {}, ask a light at every wall, and weigh both", from);
+    if (plan.way.lightSampling) return say("Follow paths back {}, and ask a light at every wall", from);
+    return say("Follow paths back {}, until they meet a light by chance", from);
+}
+
+std::string planSentence(const RequirementsAnswer& answer, bool eye) {
+    const Plan& plan = answer.plan;
+    if (plan.way.estimator == "closed-form")
+        return std::string(tr("Take the formula: direct light alone, with nothing in its way."));
+    std::string words = wayWords(plan, eye) + ": ";
+    words += plan.maxDepth == 0   ? std::string(tr("no scattering"))
+             : plan.maxDepth == 1 ? std::string(tr("at most 1 scattering"))
+                                  : say("at most {} scatterings", plan.maxDepth);
+    if (plan.maxSpecular > 0) words += say(", {} mirrors or skins of glass in a row", plan.maxSpecular);
+    if (rouletteOf(plan) > 0) words += tr(", and paths end by chance");
+    return words + ".";
+}
+
+}  // namespace
+
+std::optional<std::uint32_t> forcedValue(const InstrumentSettings& settings, RequirementId id) {
+    for (const Forced& one : settings.forced)
+        if (one.id == id) return one.value;
+    return std::nullopt;
+}
+
+void force(InstrumentSettings& settings, RequirementId id, std::optional<std::uint32_t> value) {
+    std::erase_if(settings.forced, [&](const Forced& one) { return one.id == id; });
+    if (value) settings.forced.push_back({id, *value});
+    std::sort(settings.forced.begin(), settings.forced.end(),
+              [](const Forced& a, const Forced& b) { return a.id < b.id; });
+}
+
+std::vector<RequirementLine> requirementLines(const AppState& state) {
+    std::vector<RequirementLine> lines;
+    const RequirementsAnswer* known = knownOf(state);
+    if (!known) return lines;
+    for (const bool switched : {true, false})
+        for (const RequirementInfo& info : kRequirements)
+            if ((info.kind != Switch::none) == switched) lines.push_back(lineOf(state, *known, info.id));
+    return lines;
+}
+
+std::string advice(const AppState& state) {
+    const InstrumentAnswers* answers = answersOf(state);
+    if (answers && !answers->requirementsRefusal.empty())
+        return say("There is no plan: {}.", told(answers->requirementsRefusal));
+    if (!answers || !answers->requirements) return std::string(tr("It is being found out."));
+    if (!hasLight(*answers->requirements))
+        return std::string(tr("There is no light in this scene: nothing has to be carried."));
+    return planSentence(*answers->requirements, state.scene->scene.eye.has_value());
+}
+
+std::string adviceLacks(const AppState& state) {
+    const RequirementsAnswer* planned = plannedOf(state);
+    if (!planned) return {};
+    if (!planned->loses.empty()) return told(fmt::format("This plan {}.", planned->loses));
+    const auto& missing = planned->bounces.missing;
+    const bool known = missing && missing->depth == planned->plan.maxDepth && missing->share > kSeen;
+    return known ? say("It leaves out {:.2g} % of the light.", 100.0 * missing->share) : std::string();
+}
+
+std::string forcedWords(const AppState& state) {
+    const InstrumentAnswers* answers = answersOf(state);
+    if (!answers || !answers->forcedCost) return {};
+    const PlanCost& cost = *answers->forcedCost;
+    return say("What is forced costs: {}, {}, {}.", lightWords(cost), raysWords(cost), timeWords(cost));
+}
+
+std::string everythingWords(const AppState& state) {
+    const InstrumentAnswers* answers = answersOf(state);
+    if (!answers || !answers->costs || !answers->costs->complete()) return {};
+    const PlanCost& cost = answers->costs->everything;
+    return say("With everything on: {}, {}, {}.", lightWords(cost), raysWords(cost), timeWords(cost));
+}
+
+std::optional<Maker> plannedMaker(const AppState& state) {
+    const RequirementsAnswer* planned = plannedOf(state);
+    if (!planned) return std::nullopt;
+    const Plan& plan = planned->plan;
+    return Maker{std::string(plan.estimator->id), plan.params,
+                 static_cast<std::uint32_t>(std::min<std::uint64_t>(plan.maxDepth, kMostMakerDepth))};
+}
+
+std::string plannedMakerWords(const AppState& state) {
+    const RequirementsAnswer* planned = plannedOf(state);
+    return planned ? planLine(planned->plan, state.answer->asked.scene->index) : std::string();
+}
+
+std::string requirementsWords(const AppState& state) {
+    std::string words = advice(state);
+    for (const std::string& more : {adviceLacks(state), forcedWords(state)})
+        if (!more.empty()) words += fmt::format(" {}", more);
+    words += say("\nThe tolerance is {:.3g} %.", 100.0 * state.instruments.tolerance);
+    for (const RequirementLine& line : requirementLines(state)) {
+        words += fmt::format("\n{}: {}; {}", line.title, line.value, line.reason);
+        for (const std::string& cost : line.costsByTime) words += fmt::format("; {}", cost);
+    }
+    if (const std::string all = everythingWords(state); !all.empty()) words += fmt::format("\n{}", all);
+    return words;
+}
+
+std::string requirementsTable(const AppState& state) {
+    CsvText table({"requirement", "needed", "number", "by", "forced", "reason", "from", "to",
+                   "light_change_share", "its_error", "pixels_rms_share", "rays_factor",
+                   "time_per_ray_factor", "why_not"});
+    const RequirementsAnswer* known = knownOf(state);
+    if (!known) return table.text();
+    const auto& costs = answersOf(state)->costs;
+    const auto numbers = [&](const PlanCost& cost) {
+        table.cell(cost.change).cell(cost.changeError).cell(cost.changeOfPixels);
+        table.cell(cost.raysFactor).cell(cost.timePerRayFactor);
+    };
+    const auto head = [&](const Requirement& one) {
+        table.cell(infoOf(one.id).name).cell(one.on ? 1.0 : 0.0);
+        if (one.number)
+            table.cell(static_cast<double>(*one.number));
+        else
+            table.empty();
+        table.cell(kGrounds[static_cast<std::size_t>(one.ground)]);
+        if (const auto value = forcedValue(state.instruments, one.id))
+            table.cell(static_cast<double>(*value));
+        else
+            table.empty();
+        table.cell(std::string_view(one.reason));
+    };
+    for (const Requirement& one : known->requirements) {
+        bool any = false;
+        if (costs)
+            for (const RequirementCost& row : costs->rows) {
+                if (row.id != one.id) continue;
+                any = true;
+                head(one);
+                table.cell(static_cast<double>(row.from)).cell(static_cast<double>(row.to));
+                if (row.impossible.empty()) {
+                    numbers(row.cost);
+                    table.empty();
+                } else {
+                    table.empty(5).cell(std::string_view(row.impossible));
+                }
+                table.endRow();
+            }
+        if (any) continue;
+        head(one);
+        table.empty(8).endRow();
+    }
+    if (!costs || !costs->complete()) return table.text();
+    table.cell(std::string_view("everything")).empty(7);
+    numbers(costs->everything);
+    table.empty().endRow();
+    return table.text();
+}
+
+}  // namespace halfdisk

@@ -106,7 +106,7 @@ bool goOnWithCosts(const LightQuestion& asked, InstrumentCache& cache, const Sto
     if (!answers.requirements || !hasLight(*answers.requirements)) return false;
     const Sensor sensor = instrumentSensor(asked);
     const RequirementsQuestion question = requirementsQuestion(asked, sensor, stop);
-    const CostLimits limits{.rays = static_cast<std::uint64_t>(1.0 + asked.effort * kCostRays)};
+    const CostLimits limits{.rays = static_cast<std::uint64_t>(1.0 + asked.effort * kCostRays), .repeats = 3};
     if (!question.forced.empty() && !answers.forcedCost) {
         answers.forcedCost = std::make_shared<const PlanCost>(
             compareCost(question, answers.requirements->plan, answers.unforced->plan, limits));

@@ -6,7 +6,6 @@
 #include <cctype>
 #include <cmath>
 
-#include "app/csv_text.h"
 #include "app/language.h"
 #include "app/message_words.h"
 #include "app/requirements_text.h"
@@ -16,17 +15,8 @@
 namespace halfdisk {
 namespace {
 
-constexpr std::array<std::string_view, 3> kGrounds{"proof", "measurement", "force"};
-
 const InstrumentAnswers* answersOf(const AppState& state) {
     return state.answer ? &state.answer->instruments : nullptr;
-}
-
-/// With what is forced; while that is not known, or refused, what the scene needs by itself. Null: neither.
-const RequirementsAnswer* knownOf(const AppState& state) {
-    const InstrumentAnswers* answers = answersOf(state);
-    if (!answers) return nullptr;
-    return answers->requirements ? answers->requirements.get() : answers->unforced.get();
 }
 
 /// A plan that can be followed.
@@ -105,8 +95,7 @@ RequirementLine lineOf(const AppState& state, const RequirementsAnswer& known, R
     line.title = tr(infoOf(id).title);
     line.on = requirement.on;
     line.value = valueWords(requirement);
-    line.reason = fmt::format("{}: {}", tr(kGrounds[static_cast<std::size_t>(requirement.ground)]),
-                              told(requirement.reason));
+    line.reason = fmt::format("{}: {}", tr(groundWord(requirement.ground)), told(requirement.reason));
     if (const auto value = forcedValue(state.instruments, id)) {
         line.forced = true;
         line.value = say("forced: {}", switchedWords(id, *value));
@@ -150,6 +139,17 @@ std::string planSentence(const RequirementsAnswer& answer, bool eye) {
 
 }  // namespace
 
+const RequirementsAnswer* knownRequirements(const AppState& state) {
+    const InstrumentAnswers* answers = answersOf(state);
+    if (!answers) return nullptr;
+    return answers->requirements ? answers->requirements.get() : answers->unforced.get();
+}
+
+std::string_view groundWord(Ground ground) {
+    constexpr std::array<std::string_view, 3> kGrounds{"proof", "measurement", "force"};
+    return kGrounds[static_cast<std::size_t>(ground)];
+}
+
 std::optional<std::uint32_t> forcedValue(const InstrumentSettings& settings, RequirementId id) {
     for (const Forced& one : settings.forced)
         if (one.id == id) return one.value;
@@ -165,7 +165,7 @@ void force(InstrumentSettings& settings, RequirementId id, std::optional<std::ui
 
 std::vector<RequirementLine> requirementLines(const AppState& state) {
     std::vector<RequirementLine> lines;
-    const RequirementsAnswer* known = knownOf(state);
+    const RequirementsAnswer* known = knownRequirements(state);
     if (!known) return lines;
     for (const bool switched : {true, false})
         for (const RequirementInfo& info : kRequirements)
@@ -230,57 +230,6 @@ std::string requirementsWords(const AppState& state) {
     }
     if (const std::string all = everythingWords(state); !all.empty()) words += fmt::format("\n{}", all);
     return words;
-}
-
-std::string requirementsTable(const AppState& state) {
-    CsvText table({"requirement", "needed", "number", "by", "forced", "reason", "from", "to",
-                   "light_change_share", "its_error", "pixels_rms_share", "rays_factor",
-                   "time_per_ray_factor", "why_not"});
-    const RequirementsAnswer* known = knownOf(state);
-    if (!known) return table.text();
-    const auto& costs = answersOf(state)->costs;
-    const auto numbers = [&](const PlanCost& cost) {
-        table.cell(cost.change).cell(cost.changeError).cell(cost.changeOfPixels);
-        table.cell(cost.raysFactor).cell(cost.timePerRayFactor);
-    };
-    const auto head = [&](const Requirement& one) {
-        table.cell(infoOf(one.id).name).cell(one.on ? 1.0 : 0.0);
-        if (one.number)
-            table.cell(static_cast<double>(*one.number));
-        else
-            table.empty();
-        table.cell(kGrounds[static_cast<std::size_t>(one.ground)]);
-        if (const auto value = forcedValue(state.instruments, one.id))
-            table.cell(static_cast<double>(*value));
-        else
-            table.empty();
-        table.cell(std::string_view(one.reason));
-    };
-    for (const Requirement& one : known->requirements) {
-        bool any = false;
-        if (costs)
-            for (const RequirementCost& row : costs->rows) {
-                if (row.id != one.id) continue;
-                any = true;
-                head(one);
-                table.cell(static_cast<double>(row.from)).cell(static_cast<double>(row.to));
-                if (row.impossible.empty()) {
-                    numbers(row.cost);
-                    table.empty();
-                } else {
-                    table.empty(5).cell(std::string_view(row.impossible));
-                }
-                table.endRow();
-            }
-        if (any) continue;
-        head(one);
-        table.empty(8).endRow();
-    }
-    if (!costs || !costs->complete()) return table.text();
-    table.cell(std::string_view("everything")).empty(7);
-    numbers(costs->everything);
-    table.empty().endRow();
-    return table.text();
 }
 
 }  // namespace halfdisk

@@ -9,6 +9,11 @@
 
 namespace halfdisk {
 
+/// With what is forced; while that is not known, or refused, what the scene needs by itself. Null: neither.
+const RequirementsAnswer* knownRequirements(const AppState& state);
+/// English.
+std::string_view groundWord(Ground ground);
+
 /// Nothing: as the scene needs it.
 std::optional<std::uint32_t> forcedValue(const InstrumentSettings& settings, RequirementId id);
 /// In the order of the table, each once.

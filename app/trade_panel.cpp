@@ -21,7 +21,7 @@ namespace {
 
 /// Narrower than this (design pixels), and the plot stands above the words.
 constexpr float kBeside = 460;
-constexpr float kLeastPlot = 210;
+constexpr float kLeastPlot = 300;
 
 bool mayPick(const AppState& state) {
     return state.isUnlocked(Control::estimator);

@@ -46,7 +46,7 @@ struct LowerPanel {
 
 constexpr std::array kLowerPanels{
     LowerPanel{View::code, codePanel, 0.46f},
-    LowerPanel{View::trade, tradePanel, 0.55f, 1e9f, 360.0f},
+    LowerPanel{View::trade, tradePanel, 0.55f, 1e9f, 540.0f},
     LowerPanel{View::extremes, extremesPanel, 0.5f, 1e9f, 300.0f},
     LowerPanel{View::requirements, requirementsPanel, 0.55f, 1e9f, 360.0f},
     LowerPanel{View::strategies, strategiesPanel, 0.5f, 1e9f, 360.0f},

@@ -19,9 +19,9 @@
 namespace halfdisk {
 namespace {
 
-/// Narrower than this (design pixels), and the plot stands below the words.
+/// Narrower than this (design pixels), and the plot stands above the words.
 constexpr float kBeside = 460;
-constexpr float kLeastPlot = 230;
+constexpr float kLeastPlot = 300;
 
 bool mayPick(const AppState& state) {
     return state.isUnlocked(Control::estimator);
@@ -32,14 +32,17 @@ DragRange<double> dialRange(double least, double most, const char* format) {
     return {least, most, static_cast<float>(most / 400.0), format, true};
 }
 
+/// In one row what is wished for and how much of it, below it the axis.
 void dial(const Ui& ui) {
     InstrumentSettings settings = ui.state.instruments;
-    const float labels =
-        std::max({textSize(tr("wish")).x, textSize(tr("axis")).x}) + 2 * ImGui::GetStyle().ItemInnerSpacing.x;
-    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - labels);
-    if (choose(ui, "wish", kWishes, settings.wish) && settings.wish == Wish::time)
+    const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float arrow = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
+    const float combo = std::max({0.4f * room, textSize("error").x + arrow, textSize("time").x + arrow});
+    ImGui::PushItemWidth(std::floor(combo));
+    if (choose(ui, "##wish", kWishes, settings.wish) && settings.wish == Wish::time)
         settings.tradeCost = TradeCost::seconds;
     ImGui::PopItemWidth();
+    ImGui::SameLine(0.0f, gap);
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
     if (settings.wish == Wish::error) {
         constexpr double kPercent = 100.0;
@@ -57,7 +60,7 @@ void dial(const Ui& ui) {
         tooltip("Drag: the time that there is.");
     }
     ImGui::PopItemWidth();
-    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - labels);
+    ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x - textSize("axis").x - 2 * gap);
     choose(ui, "axis", kTradeCosts, settings.tradeCost);
     ImGui::PopItemWidth();
     if (!(settings == ui.state.instruments)) ui.commands.push_back(SetInstruments{settings});
@@ -89,6 +92,7 @@ void words(const Ui& ui, const TradeSoFar* trade) {
     ImGui::PushStyleColor(ImGuiCol_Text, checkOf(*trade, *choice) ? ui.palette.error : ui.palette.inkSoft);
     textWrapped(ui.widgets, checkWords(ui.state, *trade));
     ImGui::PopStyleColor();
+    tooltip("The same setting with other seeds: what was predicted beside what came. A red dot in the plot.");
     const bool can = makerOf(trade->report.cells[choice->cell].setting, trade->report.truth.askedDepth) &&
                      mayPick(ui.state);
     bool onStage = cellOnStage(ui.state, *trade) == choice->cell;
@@ -157,9 +161,11 @@ void tradePanel(const Ui& ui, ImVec2 size) {
         ImGui::EndChild();
     } else {
         dial(ui);
-        words(ui, trade);
-        const float left = ImGui::GetContentRegionAvail().y;
+        constexpr float kLinesBelow = 7;
+        const float left =
+            ImGui::GetContentRegionAvail().y - kLinesBelow * ImGui::GetTextLineHeightWithSpacing();
         front(ui, trade, {ImGui::GetContentRegionAvail().x, std::max(left, kLeastPlot * ui.scale)});
+        words(ui, trade);
     }
     ImGui::EndChild();
 }

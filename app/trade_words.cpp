@@ -31,7 +31,10 @@ std::string timeWords(double seconds) {
 
 /// `3.1 times`: of what is dearer, or errs more.
 std::string timesWords(double factor) {
-    return std::isfinite(factor) ? local(fmt::format("{:.2g}", factor)) : std::string("\u221e");
+    if (!std::isfinite(factor)) return std::string("\u221e");
+    constexpr double kManyDigits = 1e6;
+    const bool few = factor < 99.5 || factor > kManyDigits;
+    return local(few ? fmt::format("{:.2g}", factor) : fmt::format("{:.0f}", factor));
 }
 
 double askedOf(const TradeReport& report, std::size_t cell) {
@@ -155,12 +158,12 @@ std::string checkWords(const AppState& state, const TradeSoFar& trade) {
     // Predicted and measured times belong side by side, but rays are the same on every machine.
     const bool byTime = wishOf(state.instruments).cost == TradeCost::seconds;
     std::string words =
-        byTime ? say("Tried {} times with other seeds: error {} \u00b1 {} in {}; predicted: {} in {}.",
-                     outcome.runs, percent(error.value), percent(error.error), timeWords(outcome.seconds),
-                     percent(choice->relativeError), timeWords(choice->seconds))
-               : say("Tried {} times with other seeds: error {} \u00b1 {} with {}; predicted: {}.",
-                     outcome.runs, percent(error.value), percent(error.error), raysWords(outcome.rays),
-                     percent(choice->relativeError));
+        byTime
+            ? say("Tried {} times: error {} \u00b1 {} in {}; predicted {} in {}.", outcome.runs,
+                  percent(error.value), percent(error.error), timeWords(outcome.seconds),
+                  percent(choice->relativeError), timeWords(choice->seconds))
+            : say("Tried {} times: error {} \u00b1 {}, {}; predicted {}.", outcome.runs, percent(error.value),
+                  percent(error.error), raysWords(outcome.rays), percent(choice->relativeError));
     const double factor = error.value / choice->relativeError;
     constexpr double kKept = 1.25, kSure = 2.0;
     const bool kept = (factor < kKept && factor > 1.0 / kKept) ||

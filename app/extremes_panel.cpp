@@ -1,5 +1,9 @@
 // What happens to this scene at an extreme? A dial that moves it there, and counters of what goes wrong in a
 // tracer of your choice, beside Halfdisk's own.
+#include <fmt/format.h>
+
+#include <algorithm>
+
 #include "app/choose.h"
 #include "app/draw_text.h"
 #include "app/instrument_words.h"
@@ -39,19 +43,36 @@ void dialControls(const Ui& ui) {
     if (!(settings == ui.state.instruments)) ui.commands.push_back(SetInstruments{settings});
 }
 
-/// Names on the left, the chosen tracer's counts and the product's in two columns.
-void counters(const Ui& ui, const DialAnswer& answer) {
-    const ImVec2 origin = ImGui::GetCursorScreenPos();
-    const float width = ImGui::GetContentRegionAvail().x, line = 1.35f * ImGui::GetFontSize();
-    const std::vector<DialLine> lines = dialLines(answer);
-    float names = 0.0f, chosen = textSize("this one").x;
+/// Where the columns of the counters stand, and how wide they are together (pixels).
+struct Columns {
+    float chosen = 0.0f, product = 0.0f, width = 0.0f;
+};
+
+Columns columnsOf(const Ui& ui, const std::vector<DialLine>& lines) {
+    const float gap = 14 * ui.scale;
+    float names = 0.0f, chosen = textSize(tr("this one")).x, product = textSize("Halfdisk").x;
     for (const DialLine& one : lines) {
         names = std::max(names, textSize(one.name).x);
         chosen = std::max(chosen, textSize(one.chosen, ui.fonts.strong).x);
+        product = std::max(product, textSize(one.product).x);
     }
-    const float gap = 14 * ui.scale;
-    const float first = origin.x + names + gap, second = first + chosen + gap;
-    drawText(ui, {first, origin.y}, ui.palette.inkSoft, tr("this one"));
+    const float second = names + gap + chosen + gap;
+    return {names + gap, second, second + product + gap};
+}
+
+/// Names on the left, the chosen tracer's counts and the product's in two columns; in lines where these do
+/// not fit.
+void counters(const Ui& ui, const std::vector<DialLine>& lines, const Columns& columns) {
+    const ImVec2 origin = ImGui::GetCursorScreenPos();
+    const float width = ImGui::GetContentRegionAvail().x, line = 1.35f * ImGui::GetFontSize();
+    if (columns.width > width) {
+        for (const DialLine& one : lines)
+            textWrapped(ui.widgets,
+                        fmt::format("{}: {}; {} {}", one.name, one.chosen, "Halfdisk", one.product));
+        return;
+    }
+    const float first = origin.x + columns.chosen, second = origin.x + columns.product;
+    drawText(ui, {first, origin.y}, ui.palette.inkSoft, "this one");
     drawText(ui, {second, origin.y}, ui.palette.inkSoft, "Halfdisk");
     float y = origin.y + line;
     for (const DialLine& one : lines) {
@@ -75,24 +96,24 @@ void extremesPanel(const Ui& ui, ImVec2 size) {
     ImGui::PushFont(ui.fonts.strong);
     textWrapped(ui.widgets, drawingTitle(ui.state, "extremes"));
     ImGui::PopFont();
-    const ImVec2 room = ImGui::GetContentRegionAvail();
-    const bool beside = room.x > 460 * ui.scale;
-    const float left = beside ? 0.36f * room.x : room.x;
-    ImGui::BeginGroup();
-    ImGui::PushItemWidth(left);
-    const float right = ImGui::GetContentRegionAvail().x - left;
-    ImGui::BeginChild("dial", {left, beside ? 0.0f : 7.5f * ImGui::GetFrameHeight()});
+    const auto& answer = ui.state.answer ? ui.state.answer->instruments.dial : nullptr;
+    const bool counted = answer && answer->refusal.empty() && answer->chosen.rays > 0;
+    const std::vector<DialLine> lines = counted ? dialLines(*answer) : std::vector<DialLine>{};
+    const Columns columns = columnsOf(ui, lines);
+    const float room = ImGui::GetContentRegionAvail().x, gap = 16 * ui.scale;
+    const float left = std::max(0.36f * room, 200 * ui.scale);
+    const bool beside = left + gap + columns.width <= room;
+    ImGui::BeginChild("dial",
+                      {beside ? left : 0.0f, beside ? 0.0f : 6.6f * ImGui::GetFrameHeightWithSpacing()});
     dialControls(ui);
     ImGui::EndChild();
-    ImGui::PopItemWidth();
-    ImGui::EndGroup();
-    if (beside) ImGui::SameLine(0.0f, 16 * ui.scale);
-    ImGui::BeginChild("counters", {beside ? right - 16 * ui.scale : 0.0f, 0.0f});
-    const auto& answer = ui.state.answer ? ui.state.answer->instruments.dial : nullptr;
+    if (beside) ImGui::SameLine(0.0f, gap);
+    const float rows = (2.0f + 1.35f * 7.0f) * ImGui::GetFontSize();
+    ImGui::BeginChild("counters", {0.0f, beside ? 0.0f : rows});
     if (answer) {
         textWrapped(ui.widgets, dialVerdict(*answer));
         const OnSheet drawing(ui, "extremes", ImGui::GetContentRegionAvail());
-        if (answer->refusal.empty() && answer->chosen.rays > 0) counters(ui, *answer);
+        if (counted) counters(ui, lines, columns);
     } else {
         text(ui.widgets, "being counted");
     }

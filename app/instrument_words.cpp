@@ -8,6 +8,8 @@
 namespace halfdisk {
 namespace {
 
+constexpr std::string_view kProduct = "Halfdisk";
+
 std::string share(std::uint64_t count, std::uint64_t all) {
     if (count == 0) return "0";
     return say("{} ({:.2g} %)", count, 100.0 * static_cast<double>(count) / static_cast<double>(all));
@@ -55,7 +57,7 @@ std::string extremesWords(const AppState& state) {
     if (!answer) return std::string(tr("It is not known yet."));
     std::string words = dialVerdict(*answer);
     for (const DialLine& line : dialLines(*answer))
-        words += fmt::format("\n{}: {}; Halfdisk {}", line.name, line.chosen, line.product);
+        words += fmt::format("\n{}: {}; {} {}", line.name, line.chosen, kProduct, line.product);
     return words;
 }
 

@@ -148,9 +148,12 @@ Plot beginPlot(const Ui& ui, const char* name, const std::string& title, ImVec2 
     drawText(ui, {origin.x, origin.y + titleHeight + gap / 2}, palette.inkSoft, y.label);
     rowsOfKeys.draw(plot.area.max.x, origin.y + titleHeight + gap / 2);
     list.AddRectFilled(plot.area.min, plot.area.max, palette.panel);
+    float lastMiddle = -1e9f;
     for (const Tick& tick : yTicks) {
         const ImVec2 p = plot.at(x.from, tick.value);
         list.AddLine(p, {plot.area.max.x, p.y}, palette.grid, 1.0f);
+        if (std::abs(p.y - lastMiddle) < line) continue;
+        lastMiddle = p.y;
         drawText(ui, {p.x - gap, p.y - line / 2}, palette.inkSoft, tick.label, Align::right);
     }
     float lastRight = -1e9f;

@@ -64,7 +64,8 @@ TEST_CASE("the dial counts what goes wrong in the chosen tracer, and nothing in 
     CHECK(dialOf(rig).chosen.selfHits >= fixed.selfHits);
 }
 
-TEST_CASE("the dial is turned by hand: a typed scale, a chosen epsilon; what is wished for asks no new light") {
+TEST_CASE(
+    "the dial is turned by hand: a typed scale, a chosen epsilon; what is wished for asks no new light") {
     DialRig rig;
     rig.driver.typeNumber("Stage/scale", "1000");
     CHECK(rig.state().instruments.dial.scale == 1000.0);

@@ -13,7 +13,8 @@ namespace {
 /// Of the matrix I - rho F: below this, a room gives back all light, to rounding.
 constexpr double kLeastRcond = 1e-13;
 
-/// Mean irradiance of a patch straight from point lights, directional lights and the environment.
+}  // namespace
+
 Rgb meanDirect(const Visibility& visibility, const Patch& patch) {
     const SegmentIndex& index = visibility.index();
     const bool sky = index.scene().environment.radiance != Rgb(0.0);
@@ -31,6 +32,8 @@ Rgb meanDirect(const Visibility& visibility, const Patch& patch) {
     }
     return sum;
 }
+
+namespace {
 
 /// What patches exchange, and what each does with light.
 struct System {

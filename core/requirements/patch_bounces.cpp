@@ -7,6 +7,7 @@
 #include "core/arc_measure.h"
 #include "core/form_factors.h"
 #include "core/quadrature.h"
+#include "core/radiosity_system.h"
 #include "core/rng.h"
 
 namespace halfdisk {
@@ -41,25 +42,6 @@ class Exchange {
     const Patches& patches_;
     ExchangeLengths lengths_;
 };
-
-/// Mean irradiance of a patch straight from point lights, directional lights and the environment.
-Rgb meanDirect(const Visibility& visibility, const Patch& patch) {
-    const SegmentIndex& index = visibility.index();
-    const bool sky = index.scene().environment.radiance != Rgb(0.0);
-    Rgb sum{0.0};
-    if (!sky && index.scene().lights.empty()) return sum;
-    const Vec2 N = perp(patch.b - patch.a) / patch.length;
-    for (const GaussPoint& point : kGauss8) {
-        const double u = patch.uFrom + (patch.uTo - patch.uFrom) * (1.0 + point.x) / 2.0;
-        const ShadedPoint at{index.pointOn(patch.segment, u), N, patch.segment};
-        Rgb E = deltaIrradiance(index, at);
-        if (sky)
-            for (const VisibleArc& arc : visibility.arcs(at))
-                if (!arc.hit) E += index.environment(middleOf(at, arc)) * cosineBetween(arc.from, arc.to);
-        sum += E * (point.weight / 2.0);
-    }
-    return sum;
-}
 
 /// How often each patch is what the sensor measures: the patch that a place lies on, or the one that it sees.
 Row weightsOf(const Sensor& sensor, const SegmentIndex& index, const Patches& patches) {

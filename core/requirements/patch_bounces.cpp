@@ -4,9 +4,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "core/arc_measure.h"
 #include "core/form_factors.h"
-#include "core/quadrature.h"
 #include "core/radiosity_system.h"
 #include "core/rng.h"
 

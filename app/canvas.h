@@ -45,6 +45,8 @@ void drawSplit(const Canvas& canvas);
 bool hasSplit(const AppState& state);
 float splitAt(const Canvas& canvas);  ///< pixels
 void drawWalls(const Canvas& canvas);
+/// What the dial of extremes does to the scene.
+void drawExtremes(const Canvas& canvas);
 void drawEye(const Canvas& canvas);
 void drawLights(const Canvas& canvas);
 void drawHalfDisk(const Canvas& canvas, Vec2 P, Vec2 N, float opacity);

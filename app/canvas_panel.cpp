@@ -162,6 +162,7 @@ void canvasPanel(const Ui& ui, ImVec2 size) {
     if (state.shows(View::tree)) drawTree(canvas);
     drawSamples(canvas);
     drawWalls(canvas);
+    drawExtremes(canvas);
     drawRun(canvas);
     drawLights(canvas);
     drawEye(canvas);

@@ -83,18 +83,6 @@ void drawWall(const Canvas& canvas, const Segment& s, const Material& material, 
     if (shines) beside(2.0f, palette.mirror, canvas.px(1.5f));
 }
 
-/// The two walls that the dial of extremes puts into the scene.
-void drawSlit(const Canvas& canvas) {
-    const AppState& state = canvas.ui.state;
-    const double gap = state.instruments.dial.gap;
-    if (!state.shows(View::extremes) || !(gap > 0.0)) return;
-    Scene walls;
-    walls.segments = state.scene->scene.segments;
-    walls = withSlit(walls, gap);
-    for (std::size_t i = state.scene->scene.segments.size(); i < walls.segments.size(); ++i)
-        canvas.line(walls.segments[i].a, walls.segments[i].b, canvas.ui.palette.accent, canvas.px(3));
-}
-
 }  // namespace
 
 void Canvas::line(Vec2 a, Vec2 b, ImU32 color, float thickness) const {
@@ -151,7 +139,6 @@ void drawWalls(const Canvas& canvas) {
     for (const Segment& s : scene.segments)
         if (const auto part = clipped(canvas.camera, canvas.rect, s.a, s.b))
             drawWall(canvas, s, scene.materials[s.material], part->first, part->second);
-    drawSlit(canvas);
 }
 
 void drawEye(const Canvas& canvas) {

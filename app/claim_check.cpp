@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <chrono>
 #include <cmath>
 #include <limits>
 
+#include "app/claim_picture.h"
 #include "app/cli_probe_passes.h"
 #include "app/estimator_arguments.h"
 #include "app/light_answer.h"
@@ -102,9 +104,34 @@ const Value& given(const std::optional<Value>& value, std::string_view what) {
     return *value;
 }
 
-double quantityOf(const SegmentIndex& index, Quantity quantity, const Trial& trial, unsigned threads) {
-    if (quantity == Quantity::exact) return gray(exactOf(index, trial));
-    if (quantity == Quantity::lost) return lostShare(index, trial.dial);
+/// What needs no run of the estimator at P; nothing if it does.
+std::optional<double> withoutRun(const ClaimPlace& place, Quantity quantity) {
+    switch (quantity) {
+        case Quantity::exact:
+            return gray(exactOf(place.scene->index, place.trial));
+        case Quantity::heaviest:
+            return heaviestShare(place);
+        case Quantity::noise:
+            return pictureNoise(place);
+        case Quantity::pictureError:
+            return pictureError(place);
+        case Quantity::raysTo:
+            return raysToWished(place);
+        case Quantity::planRays:
+            return planRays(place);
+        case Quantity::planBounces:
+            return planBounces(place);
+        case Quantity::lost:
+            return lostShare(place.scene->index, place.trial.instruments.dial);
+        default:
+            return std::nullopt;
+    }
+}
+
+double quantityOf(const std::shared_ptr<const PreparedScene>& scene, Quantity quantity, const Trial& trial,
+                  unsigned threads) {
+    if (const auto value = withoutRun({scene, trial}, quantity)) return *value;
+    const SegmentIndex& index = scene->index;
     const Outcome out = outcomeOf(index, trial, threads);
     const auto error = [&] {
         return gray(given(out.standardError,
@@ -136,10 +163,10 @@ double quantityOf(const SegmentIndex& index, Quantity quantity, const Trial& tri
             return out.rays;
         case Quantity::nonFinite:
             return static_cast<double>(out.nonFinite);
-        case Quantity::exact:
-        case Quantity::lost:
+        default:
             break;
     }
+    assert(false);
     return std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -157,13 +184,13 @@ bool holds(const Claim& claim, double value) {
 
 }  // namespace
 
-ClaimResult checkClaim(const std::string& file, const SegmentIndex& index, const Claim& claim,
-                       unsigned threads) {
+ClaimResult checkClaim(const std::string& file, const std::shared_ptr<const PreparedScene>& scene,
+                       const Claim& claim, unsigned threads) {
     const auto start = std::chrono::steady_clock::now();
     ClaimResult result;
     try {
-        result.of = quantityOf(index, claim.quantity, claim.of, threads);
-        if (claim.over) result.over = quantityOf(index, claim.quantity, *claim.over, threads);
+        result.of = quantityOf(scene, claim.quantity, claim.of, threads);
+        if (claim.over) result.over = quantityOf(scene, claim.quantity, *claim.over, threads);
     } catch (const InputError& error) {
         throw InputError(file, claim.where, fmt::format("the claim cannot be measured: {}", error.text));
     }

@@ -1,9 +1,10 @@
 // Is what a lesson claims true? Measured as the lesson says, on its own scene.
 #pragma once
 
+#include <memory>
 #include <optional>
 
-#include "core/intersect.h"
+#include "app/prepared_scene.h"
 #include "lessons/claim.h"
 
 namespace halfdisk {
@@ -18,8 +19,8 @@ struct ClaimResult {
 
 /// The same result on any number of threads. Throws InputError, with the claim's place in `file`, for what
 /// cannot be measured: an unknown estimator or parameter, an exact value that nobody knows, too many rays.
-ClaimResult checkClaim(const std::string& file, const SegmentIndex& index, const Claim& claim,
-                       unsigned threads);
+ClaimResult checkClaim(const std::string& file, const std::shared_ptr<const PreparedScene>& scene,
+                       const Claim& claim, unsigned threads);
 
 /// `at least 10`, `0.49 +- 0.001`.
 std::string expectationOf(const Claim& claim);

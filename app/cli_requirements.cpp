@@ -63,16 +63,12 @@ int runRequirements(const RequirementsTexts& texts) {
     const SegmentIndex index(scene);
     const Sensor sensor = sensorAsked(texts, index);
     const RequirementsQuestion question{index, sensor, tolerance, forced, seed};
-    const std::optional<RequirementsAnswer> found = requirementsAsked(question);
-    if (!found) {
-        writeError("stopped before it was known what the scene requires");
-        return kExitStopped;
-    }
-    const RequirementsAnswer& answer = *found;
+    const CostLimits limits{.rays = wholeArgument("--rays", texts.rays, kCostRays)};
+    RequirementsAnswer answer;
+    const bool planned = askRequirements(question, answer);
     std::optional<Costs> costs;
-    if (texts.costs)
-        costs = costsAsked(question, answer, {.rays = wholeArgument("--rays", texts.rays, kCostRays)});
-    const bool stopped = texts.costs && !costs;
+    if (texts.costs && planned) costs = costsAsked(question, answer, limits);
+    const bool stopped = !planned || (costs && !costs->complete());
     if (texts.json) {
         Json object{{"scene", texts.render.scene}, {"sensor", std::string(kSensorNames[sensor.index()])}};
         object.update(requirementsJson(answer, index));
@@ -84,7 +80,9 @@ int runRequirements(const RequirementsTexts& texts) {
                                 kSensorNames[sensor.index()], 100.0 * tolerance) +
                     requirementsText(answer, index) + (costs ? costsText(*costs) : ""));
     }
-    if (stopped) writeError("stopped before the costs were measured");
+    if (stopped)
+        writeError(planned ? fmt::format("stopped after {} of {} costs", costs->done, costs->pieces)
+                           : "stopped before it was known what the scene requires: these are its facts");
     return stopped ? kExitStopped : kExitSuccess;
 }
 

@@ -85,13 +85,12 @@ std::string measuredText(const Claim& claim, const ClaimResult& result) {
 
 void verifyLesson(const Lesson& lesson, const std::optional<LessonRef>& only, unsigned threads, bool asJson,
                   Tally& tally) {
-    const Scene scene = expandScene(lesson.scene);
-    const SegmentIndex index(scene);
+    const auto scene = std::make_shared<const PreparedScene>(lesson.scene);
     const std::size_t first = only ? stepIndex(lesson, *only) : 0;
     const std::size_t end = only ? first + 1 : lesson.steps.size();
     for (std::size_t step = first; step < end; ++step)
         for (const Claim& claim : lesson.steps[step].claims) {
-            const ClaimResult result = checkClaim(lesson.file.string(), index, claim, threads);
+            const ClaimResult result = checkClaim(lesson.file.string(), scene, claim, threads);
             ++(result.holds ? tally.held : tally.failed);
             tally.claims.push_back(claimJson(lesson, step, claim, result));
             const std::string measured = measuredText(claim, result), expected = expectationOf(claim);

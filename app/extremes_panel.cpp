@@ -8,6 +8,7 @@
 #include "app/draw_text.h"
 #include "app/instrument_words.h"
 #include "app/language.h"
+#include "app/lost_mark.h"
 #include "app/panels.h"
 #include "app/pen.h"
 #include "app/plot_words.h"
@@ -43,6 +44,11 @@ void dialControls(const Ui& ui) {
     if (!(settings == ui.state.instruments)) ui.commands.push_back(SetInstruments{settings});
 }
 
+/// Of the marks before the names, pixels.
+float markWidth(const Ui& ui) {
+    return 16 * ui.scale;
+}
+
 /// Where the columns of the counters stand, and how wide they are together (pixels).
 struct Columns {
     float chosen = 0.0f, product = 0.0f, width = 0.0f;
@@ -52,7 +58,7 @@ Columns columnsOf(const Ui& ui, const std::vector<DialLine>& lines) {
     const float gap = 14 * ui.scale;
     float names = 0.0f, chosen = textSize(tr("this one")).x, product = textSize("Halfdisk").x;
     for (const DialLine& one : lines) {
-        names = std::max(names, textSize(one.name).x);
+        names = std::max(names, markWidth(ui) + textSize(one.name).x);
         chosen = std::max(chosen, textSize(one.chosen, ui.fonts.strong).x);
         product = std::max(product, textSize(one.product).x);
     }
@@ -76,7 +82,10 @@ void counters(const Ui& ui, const std::vector<DialLine>& lines, const Columns& c
     drawText(ui, {second, origin.y}, ui.palette.inkSoft, "Halfdisk");
     float y = origin.y + line;
     for (const DialLine& one : lines) {
-        drawText(ui, {origin.x, y}, ui.palette.ink, one.name);
+        const float middle = y + 0.55f * ImGui::GetFontSize();
+        if (one.how)
+            drawLostMark(penOf(ui), ui.palette, *one.how, {origin.x + 5 * ui.scale, middle}, 3.5f * ui.scale);
+        drawText(ui, {origin.x + markWidth(ui), y}, ui.palette.ink, one.name);
         drawText(ui, {first, y}, one.wrong ? ui.palette.error : ui.palette.ink, one.chosen, Align::left,
                  one.wrong ? ui.fonts.strong : nullptr);
         drawText(ui, {second, y}, ui.palette.ink, one.product);

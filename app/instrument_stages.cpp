@@ -55,9 +55,13 @@ void turnDial(const LightQuestion& asked, InstrumentCache& cache, const StopQues
     DialSetting product = answer->setting;
     product.precision = Precision::twice;
     product.policy = EpsilonPolicy::ours;
+    const Scene& scene = asked.scene->scene;
+    const Scene slit = withSlit(scene, answer->setting.gap);
+    answer->slit.assign(slit.segments.begin() + static_cast<std::ptrdiff_t>(scene.segments.size()),
+                        slit.segments.end());
     try {
-        answer->chosen = measureDial(answer->setting, asked.scene->scene, stop);
-        answer->product = measureDial(product, asked.scene->scene, stop);
+        answer->chosen = measureDial(answer->setting, scene, stop);
+        answer->product = measureDial(product, scene, stop);
     } catch (const std::invalid_argument& refused) {
         answer->refusal = refused.what();
     }

@@ -23,17 +23,23 @@ std::string percent(double part) {
 
 std::vector<DialLine> dialLines(const DialAnswer& answer) {
     const ExtremeCounts &chosen = answer.chosen, &product = answer.product;
-    const auto counted = [&](std::uint64_t ExtremeCounts::*what, std::string_view name,
+    const auto counted = [&](LostRay::How how, std::uint64_t ExtremeCounts::*what, std::string_view name,
                              std::string_view meaning) {
-        return DialLine{std::string(tr(name)), share(chosen.*what, chosen.rays),
-                        share(product.*what, product.rays), chosen.*what > 0, meaning};
+        return DialLine{std::string(tr(name)),
+                        share(chosen.*what, chosen.rays),
+                        share(product.*what, product.rays),
+                        chosen.*what > 0,
+                        meaning,
+                        how};
     };
     // More than the bounds of the product's own errors: see core/extremes.
     constexpr double kVisible = 1e-6;
-    return {counted(&ExtremeCounts::leaks, "leak",
+    return {counted(LostRay::How::leak, &ExtremeCounts::leaks, "leak",
                     "rays that pass through a wall, or meet something beyond the one that is there"),
-            counted(&ExtremeCounts::selfHits, "hit their own wall", "rays that meet the wall they just left"),
-            counted(&ExtremeCounts::nonFinite, "not a number", "NaN or infinity where there should be one"),
+            counted(LostRay::How::selfHit, &ExtremeCounts::selfHits, "hit their own wall",
+                    "rays that meet the wall they just left"),
+            counted(LostRay::How::nonFinite, &ExtremeCounts::nonFinite, "not a number",
+                    "NaN or infinity where there should be one"),
             DialLine{std::string(tr("hits are off by")), percent(chosen.place), percent(product.place),
                      chosen.place > kVisible, "of the others: the most, as a share of the scene's size"},
             DialLine{std::string(tr("light is off by")), percent(chosen.light), percent(product.light),

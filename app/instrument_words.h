@@ -13,6 +13,7 @@ struct DialLine {
     std::string chosen, product;
     bool wrong = false;  ///< the chosen tracer fails here
     std::string_view meaning;
+    std::optional<LostRay::How> how{};  ///< whose mark it has on the canvas; none: it has no place there
 };
 std::vector<DialLine> dialLines(const DialAnswer& answer);
 

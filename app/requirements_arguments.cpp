@@ -3,14 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "app/cli_arguments.h"
 #include "app/interruption.h"
+#include "app/progress_bar.h"
 
 namespace halfdisk {
 namespace {
 
 constexpr std::string_view kOption = "--force";
+constexpr std::string_view kStopping = "stopping; Ctrl-C again ends at once";
 
 const RequirementInfo& infoOfName(std::string_view text, std::string_view name) {
     std::vector<std::string_view> names;
@@ -35,6 +38,10 @@ std::uint32_t valueOf(const RequirementInfo& info, std::string_view text, std::s
                      fmt::format("has a wrong value, expected off or a whole number from 0 to {}",
                                  kMaxDepthInfo.most));
     return static_cast<std::uint32_t>(*count);
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -115,32 +122,45 @@ PlanRequest planRequest(const PlanTexts& texts, std::string_view estimator,
     return request;
 }
 
-std::optional<Costs> costsAsked(RequirementsQuestion question, const RequirementsAnswer& answer,
-                                const CostLimits& limits) {
-    const Interruption interruption;
+bool askRequirements(RequirementsQuestion question, RequirementsAnswer& answer) {
+    ProgressBar bar;
+    const Interruption interruption([&bar] { bar.say(kStopping); });
+    const auto start = std::chrono::steady_clock::now();
     question.stop = [&interruption] { return interruption.asked(); };
+    question.told = [&](double share, std::string_view what) { bar.tell(share, secondsSince(start), what); };
     try {
-        return costsOf(question, answer, limits);
+        findRequirements(question, answer);
+        return true;
     } catch (const Stopped&) {
-        return std::nullopt;
-    }
-}
-
-std::optional<RequirementsAnswer> requirementsAsked(RequirementsQuestion question) {
-    const Interruption interruption;
-    question.stop = [&interruption] { return interruption.asked(); };
-    try {
-        return requirementsOf(question);
-    } catch (const Stopped&) {
-        return std::nullopt;
+        return false;
     } catch (const std::invalid_argument& refusal) {
         throw InputError(refusal.what());
     }
 }
 
+Costs costsAsked(RequirementsQuestion question, const RequirementsAnswer& answer, const CostLimits& limits) {
+    ProgressBar bar;
+    const Interruption interruption([&bar] { bar.say(kStopping); });
+    const auto start = std::chrono::steady_clock::now();
+    question.stop = [&interruption] { return interruption.asked(); };
+    Costs costs;
+    bar.tell(0.0, 0.0, "costs");
+    try {
+        while (measureNextCost(question, answer, limits, costs))
+            bar.tell(static_cast<double>(costs.done) / static_cast<double>(costs.pieces), secondsSince(start),
+                     fmt::format("{} of {} costs", costs.done, costs.pieces));
+    } catch (const Stopped&) {
+        // What is measured stays.
+    }
+    return costs;
+}
+
 std::optional<RequirementsAnswer> requirementsAsked(const PlanRequest& request, const SegmentIndex& index,
                                                     const Sensor& sensor, std::uint64_t seed) {
-    return requirementsAsked({index, sensor, request.tolerance, request.forced, seed});
+    RequirementsAnswer answer;
+    if (!askRequirements({index, sensor, request.tolerance, request.forced, seed}, answer))
+        return std::nullopt;
+    return answer;
 }
 
 }  // namespace halfdisk

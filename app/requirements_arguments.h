@@ -51,11 +51,12 @@ PlanRequest planRequest(const PlanTexts& texts, std::string_view estimator,
 /// A line `  name  what it asks` for each that can be forced, for help.
 std::string describedSwitches();
 
-/// requirementsOf; what it can't do becomes an InputError. Empty: Ctrl-C ended it.
-std::optional<RequirementsAnswer> requirementsAsked(RequirementsQuestion question);
-/// costsOf, the same way.
-std::optional<Costs> costsAsked(RequirementsQuestion question, const RequirementsAnswer& answer,
-                                const CostLimits& limits);
+/// findRequirements with a progress bar; what it can't do becomes an InputError. False: Ctrl-C ended it, and
+/// what was found until then is in `answer`.
+bool askRequirements(RequirementsQuestion question, RequirementsAnswer& answer);
+/// costsOf with a progress bar, as far as it came before Ctrl-C: see Costs::complete.
+Costs costsAsked(RequirementsQuestion question, const RequirementsAnswer& answer, const CostLimits& limits);
+/// Empty: Ctrl-C ended it.
 std::optional<RequirementsAnswer> requirementsAsked(const PlanRequest& request, const SegmentIndex& index,
                                                     const Sensor& sensor, std::uint64_t seed);
 

@@ -106,7 +106,21 @@ Json candidatesJson(const RequirementsAnswer& answer, const SegmentIndex& index)
     return rows;
 }
 
+/// Of an answer that was called off: what was tried until then.
+std::string triedText(const RequirementsAnswer& answer, const SegmentIndex& index) {
+    std::string text;
+    for (const Candidate& candidate : answer.candidates)
+        text +=
+            fmt::format("tried: {}: {:.3g} rays until the noise is {:g} %\n", planLine(candidate.plan, index),
+                        candidate.pilot.raysTo(answer.tolerance), 100.0 * answer.tolerance);
+    return text;
+}
+
 }  // namespace
+
+bool isPlanned(const RequirementsAnswer& answer) {
+    return !answer.requirements.empty();
+}
 
 std::string requirementValue(const Requirement& requirement) {
     if (requirement.number && requirement.on) return std::to_string(*requirement.number);
@@ -135,6 +149,7 @@ std::string planOptions(const Plan& plan) {
 std::string requirementsText(const RequirementsAnswer& answer, const SegmentIndex& index) {
     constexpr std::size_t kColumn = 26;
     std::string text = pathTypesText(answer) + "\n";
+    if (!isPlanned(answer)) return text + triedText(answer, index);
     for (const Requirement& requirement : answer.requirements) {
         text += fmt::format("{:<17} {:>6}  ", infoOf(requirement.id).name, requirementValue(requirement));
         text +=
@@ -163,7 +178,7 @@ std::string costsText(const Costs& costs) {
         text += row.impossible.empty() ? costLine(what, row.cost)
                                        : fmt::format("{:<24} {}", what, wrapped(row.impossible, 25));
     }
-    text += costLine("everything on", costs.everything);
+    if (costs.complete()) text += costLine("everything on", costs.everything);
     text += wrapped(fmt::format("light: change of the mean, ± 2 standard errors; pixels: root mean square of "
                                 "their changes, where "
                                 "noise does not hide it; rays: to the same noise; time: rays times time per "
@@ -187,7 +202,8 @@ Json costsJson(const Costs& costs, const SegmentIndex& index) {
         line["words"] = row.words;
         object["rows"].push_back(line);
     }
-    object["everything"] = costJson(costs.everything, index);
+    object["complete"] = costs.complete();
+    object["everything"] = costs.complete() ? costJson(costs.everything, index) : Json();
     return object;
 }
 
@@ -220,7 +236,8 @@ Json requirementsJson(const RequirementsAnswer& answer, const SegmentIndex& inde
              {"switchable", infoOf(requirement.id).kind != Switch::none},
              {"reason", requirement.reason}});
     object["bounces"] = bouncesJson(answer.bounces);
-    object["plan"] = planJson(answer.plan, index);
+    object["complete"] = isPlanned(answer);
+    object["plan"] = isPlanned(answer) ? planJson(answer.plan, index) : Json();
     object["loses"] = answer.loses.empty() ? Json() : Json(answer.loses);
     object["tried"] = candidatesJson(answer, index);
     object["rays"] = answer.rays;

@@ -14,7 +14,10 @@ std::string requirementValue(const Requirement& requirement);
 /// `estimator path, emitters = both, ...; depth 4, specular 0`.
 std::string planLine(const Plan& plan, const SegmentIndex& index);
 
-/// Every requirement with its reason, then the plan.
+/// False of an answer that was called off before there was a plan.
+bool isPlanned(const RequirementsAnswer& answer);
+
+/// Every requirement with its reason, then the plan; without one, what was tried.
 std::string requirementsText(const RequirementsAnswer& answer, const SegmentIndex& index);
 
 /// What `--explain` tells before the result. `estimator` is the one that was asked for.

@@ -9,14 +9,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/extremes/dial.h"
 #include "core/settings.h"
+#include "lessons/instruments.h"
 #include "lessons/toml_document.h"
 #include "lessons/wall_point.h"
 
 namespace halfdisk {
 
-/// What is measured at P. Of colours the mean of the three channels.
+/// What is measured: at P, or of a whole picture. Of colours the mean of the three channels.
 enum class Quantity : std::uint8_t {
     irradiance,
     direct,
@@ -30,10 +30,16 @@ enum class Quantity : std::uint8_t {
     relativeError,
     rays,
     nonFinite,
+    heaviest,
+    noise,
+    pictureError,
+    raysTo,
+    planRays,
+    planBounces,
     lost
 };
 
-inline constexpr std::array<Named<Quantity>, 13> kQuantities{{
+inline constexpr std::array<Named<Quantity>, 19> kQuantities{{
     {Quantity::irradiance, "irradiance", "E at P, W/m"},
     {Quantity::direct, "direct", "the part of E that was never scattered, W/m (cast-ray)"},
     {Quantity::indirect, "indirect", "the part of E that was, W/m (cast-ray)"},
@@ -46,6 +52,17 @@ inline constexpr std::array<Named<Quantity>, 13> kQuantities{{
     {Quantity::relativeError, "relativeError", "typical error of one run of N samples, as a share of E"},
     {Quantity::rays, "rays", "how many were cast, in one repeat"},
     {Quantity::nonFinite, "nonFinite", "how many values were infinite or not a number"},
+    {Quantity::heaviest, "heaviest",
+     "share of a pixel's light that comes by the path that brings most of it"},
+    {Quantity::noise, "noise",
+     "of the finished picture: what chance still does to it, as a share of its light"},
+    {Quantity::pictureError, "pictureError",
+     "how far the finished picture is off the exact one, as a share of its light"},
+    {Quantity::raysTo, "raysTo",
+     "how many it takes until a picture is off by \"wishedError\", as the trade tells"},
+    {Quantity::planRays, "planRays",
+     "how many the requirements' plan takes until its noise is \"tolerance\""},
+    {Quantity::planBounces, "planBounces", "how many scatterings the requirements' plan follows"},
     {Quantity::lost, "lost", "share of the rays that go wrong in the tracer that \"dial\" chooses"},
 }};
 
@@ -57,14 +74,26 @@ inline constexpr std::array<Named<Relation>, 3> kRelations{{
     {Relation::equals, "equals", "the measured value is this one, within the tolerance"},
 }};
 
+/// Which picture is measured.
+enum class ClaimPicture : std::uint8_t { seen, eye, field, profile };
+
+inline constexpr std::array<Named<ClaimPicture>, 4> kClaimPictures{{
+    {ClaimPicture::seen, "seen", "what the scene's eye sees, or else the light along P's wall"},
+    {ClaimPicture::eye, "eye", "what the scene's eye sees"},
+    {ClaimPicture::field, "field", "the light in the room"},
+    {ClaimPicture::profile, "profile", "the light along P's wall"},
+}};
+
 /// A measurement.
 struct Trial {
     Settings settings;
     WallPoint at{0, 0.5};
     std::string estimator = "cast-ray";
-    std::vector<std::string> params;  ///< NAME=VALUE, of estimators but cast-ray
-    std::uint64_t repeats = 16;       ///< of cast-ray; of others, `settings.samples` are independent
-    DialSetting dial{};               ///< of Quantity::lost
+    std::vector<std::string> params;       ///< NAME=VALUE, of estimators but cast-ray
+    std::uint64_t repeats = 16;            ///< of cast-ray; of others, `settings.samples` are independent
+    std::optional<std::uint32_t> pixel{};  ///< of Quantity::heaviest: one of the eye's strip
+    ClaimPicture picture = ClaimPicture::seen;  ///< of Quantity::noise and pictureError
+    InstrumentSettings instruments{};           ///< of Quantity::raysTo, planRays, planBounces and lost
     bool operator==(const Trial&) const = default;
 };
 

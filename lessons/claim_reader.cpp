@@ -36,7 +36,11 @@ void readTrial(const std::string& file, std::string_view key, const TomlValue& v
         trial.estimator = readText(file, "estimator", *estimator, kIdRule);
     if (const TomlValue* repeats = table.optional("repeats"))
         trial.repeats = readWhole(file, "repeats", *repeats, kRepeatsRule);
-    if (const TomlValue* dial = table.optional("dial")) readDial(file, *dial, trial.dial);
+    if (const TomlValue* pixel = table.optional("pixel"))
+        trial.pixel = static_cast<std::uint32_t>(readWhole(file, "pixel", *pixel, {0, kEyeStripPixels - 1}));
+    if (const TomlValue* picture = table.optional("picture"))
+        trial.picture = readNamed(file, "picture", *picture, kClaimPictures);
+    readInstruments(table, trial.instruments);
     if (const TomlValue* params = table.optional("params")) {
         trial.params.clear();
         const TomlTable& entries = readTable(file, "params", *params);
@@ -92,7 +96,8 @@ Claim readClaim(const LessonText& text, const TomlValue& value, const Scene& sce
     }
     claim.of.settings = step.settings;
     claim.of.at = step.at;
-    claim.of.dial = step.instruments.dial;
+    claim.of.pixel = step.pixel;
+    claim.of.instruments = step.instruments;
     if (with != nullptr) readTrial(file, "with", *with, scene, claim.of);
     if (over != nullptr) readTrial(file, "over", *over, scene, claim.over.emplace(claim.of));
     return claim;

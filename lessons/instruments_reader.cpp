@@ -15,7 +15,36 @@ void readRange(TableReader& table, std::string_view key, double least, double mo
     field = readNumber(table.file(), key, *value, {least, most, expected});
 }
 
+std::uint32_t readForcedValue(const std::string& file, const RequirementInfo& info, const TomlValue& value) {
+    if (const auto* on = std::get_if<bool>(&value.data)) {
+        if (info.kind == Switch::onOff || !*on) return *on ? 1 : 0;
+    }
+    if (info.kind == Switch::number)
+        return static_cast<std::uint32_t>(readWhole(file, info.name, value, {0, kMaxDepthInfo.most}));
+    failAt(file, value.where, fmt::format("\"{}\" is no switch, expected true or false", info.name));
+}
+
+const RequirementInfo& readRequirement(const std::string& file, const TomlEntry& entry) {
+    std::vector<std::string_view> names;
+    for (const RequirementInfo& info : kRequirements) {
+        if (info.name == entry.key && info.kind == Switch::none)
+            failAt(file, entry.value.where, fmt::format("\"{}\" can't be forced: {}", info.name, info.fixed));
+        if (info.name == entry.key) return info;
+        if (info.kind != Switch::none) names.push_back(info.name);
+    }
+    failAt(file, entry.value.where,
+           fmt::format("\"{}\" names no requirement, {}", entry.key, expectedOneOf(entry.key, names)));
+}
+
 }  // namespace
+
+void readForced(const std::string& file, const TomlValue& value, std::vector<Forced>& forced) {
+    forced.clear();
+    for (const TomlEntry& entry : readTable(file, "force", value).entries) {
+        const RequirementInfo& info = readRequirement(file, entry);
+        forced.push_back({info.id, readForcedValue(file, info, entry.value)});
+    }
+}
 
 void readDial(const std::string& file, const TomlValue& value, DialSetting& dial) {
     TableReader table(file, readTable(file, "dial", value), value.where, "\"dial\"");
@@ -33,6 +62,7 @@ void readDial(const std::string& file, const TomlValue& value, DialSetting& dial
 void readInstruments(TableReader& table, InstrumentSettings& settings) {
     if (const TomlValue* dial = table.optional("dial")) readDial(table.file(), *dial, settings.dial);
     readRange(table, "tolerance", kLeastTolerance, kMostTolerance, settings.tolerance);
+    if (const TomlValue* forced = table.optional("force")) readForced(table.file(), *forced, settings.forced);
     if (table.has("wishedError")) settings.wish = Wish::error;
     if (table.has("wishedMilliseconds")) settings.wish = Wish::time;
     readRange(table, "wishedError", kLeastWishedError, kMostWishedError, settings.wishedError);

@@ -9,8 +9,11 @@ namespace halfdisk {
 /// Replaces what the inline table `dial` has.
 void readDial(const std::string& file, const TomlValue& value, DialSetting& dial);
 
+/// Replaces all by the inline table `force`: of requirements that can be switched, true, false or a number.
+void readForced(const std::string& file, const TomlValue& value, std::vector<Forced>& forced);
+
 /// Replaces what the table has: dial = { scale, offset, gap, precision, policy, epsilon }, wishedError or
-/// wishedMilliseconds, tradeCost, tolerance. Does not finish the table.
+/// wishedMilliseconds, tradeCost, tolerance, force. Does not finish the table.
 void readInstruments(TableReader& table, InstrumentSettings& settings);
 
 }  // namespace halfdisk

@@ -6,6 +6,7 @@ namespace halfdisk {
 namespace {
 
 constexpr double kMostWallsTried = 2e5;
+constexpr std::size_t kKept = 60;  // as many as can be told apart on a screen
 
 }  // namespace
 
@@ -39,6 +40,7 @@ ExtremeCounts measureDial(const DialSetting& setting, const Scene& scene, const 
     const Placement placement{setting.scale, setting.offset};
     SurveyRays rays;
     rays.seed = setting.seed;
+    rays.kept = kKept;
     rays.count =
         std::min(setting.rays,
                  1 + static_cast<std::uint64_t>(kMostWallsTried / static_cast<double>(slit.segments.size())));

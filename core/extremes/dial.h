@@ -18,9 +18,9 @@ struct DialSetting {
     bool operator==(const DialSetting&) const = default;
 };
 
-/// Counts of rays from all walls. In double with the bounded policy it is the product itself that is asked.
-/// No rays where there is no wall. At most 2e5 walls tried for the truth, so that it takes some milliseconds.
-/// Throws Stopped; std::invalid_argument for a scene that no index takes.
+/// Counts of rays from all walls, and some of those that go wrong. In double with the bounded policy it is
+/// the product itself that is asked. No rays where there is no wall. At most 2e5 walls tried for the truth,
+/// so that it takes some milliseconds. Throws Stopped; std::invalid_argument for a scene that no index takes.
 ExtremeCounts measureDial(const DialSetting& setting, const Scene& scene, const StopQuestion& stop = {});
 
 /// The scene with two walls that face each other in its middle, `gap` sizes of the scene apart.

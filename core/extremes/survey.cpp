@@ -74,6 +74,14 @@ Rgb radianceOf(const Scene& scene, std::uint32_t segment, bool front, Vec2 direc
     return front || wall.twoSided ? wall.emission : Rgb(0.0);
 }
 
+Vec2 trueEnd(const Scene& scene, const Start& start, const TrueHit& truth) {
+    const Segment& wall = scene.segments[start.wall];
+    if (truth.segment != kNoSegment) return {static_cast<double>(truth.x), static_cast<double>(truth.y)};
+    const Vec2 direction =
+        frameFromNormal(frontNormal(wall)).toWorld(std::cos(start.theta), std::sin(start.theta));
+    return glm::mix(wall.a, wall.b, start.u) + sizeOf(scene) * direction;
+}
+
 template <class Ask>
 ExtremeCounts survey(const Scene& scene, const Placement& placement, const SurveyRays& rays,
                      const StopQuestion& stop, const Ask& ask) {
@@ -83,6 +91,11 @@ ExtremeCounts survey(const Scene& scene, const Placement& placement, const Surve
     const Long size = sizeOf(scene), scale = placement.scale;
     const Vec2 shift = shiftOf(scene, placement);
     double seen = 0.0, there = 0.0;
+    const auto lose = [&](LostRay::How how, std::uint64_t& count, const Start& start, const TrueHit& truth) {
+        if (++count > rays.kept) return;
+        const Segment& wall = scene.segments[start.wall];
+        counts.lost.push_back({how, glm::mix(wall.a, wall.b, start.u), trueEnd(scene, start, truth)});
+    };
     for (std::uint64_t n = 0; n < rays.count; ++n) {
         throwIfStopped(stop, n);
         const Start start = startOf(scene, rays, n, rng);
@@ -95,11 +108,11 @@ ExtremeCounts survey(const Scene& scene, const Placement& placement, const Surve
         const bool lost = answer.segment == start.wall && !answer.front;
         if (!lost) seen += radianceOf(scene, answer.segment, answer.front, direction).x;
         if (answer.segment != kNoSegment && !std::isfinite(answer.t)) {
-            ++counts.nonFinite;
+            lose(LostRay::How::nonFinite, counts.nonFinite, start, truth);
             continue;
         }
         if (answer.segment == start.wall) {
-            ++counts.selfHits;
+            lose(LostRay::How::selfHit, counts.selfHits, start, truth);
             continue;
         }
         if (truth.segment == kNoSegment) continue;
@@ -107,7 +120,7 @@ ExtremeCounts survey(const Scene& scene, const Placement& placement, const Surve
             answer.segment != truth.segment && answer.t / scale > 1.01L * truth.t + 1e-9L * size;
         const bool through = answer.segment == kNoSegment || (truth.front && !answer.front) || beyond;
         if (through) {
-            ++counts.leaks;
+            lose(LostRay::How::leak, counts.leaks, start, truth);
             continue;
         }
         const Long x = answer.x / scale - shift.x, y = answer.y / scale - shift.y;
@@ -148,6 +161,7 @@ void ExtremeCounts::merge(const ExtremeCounts& other) {
     early += other.early;
     place = std::max(place, other.place);
     light = std::max(light, other.light);
+    lost.insert(lost.end(), other.lost.begin(), other.lost.end());
 }
 
 ExtremeCounts surveyOurs(const Scene& scene, const Placement& placement, const SurveyRays& rays,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/extremes/naive_room.h"
 #include "core/extremes/placement.h"
@@ -10,6 +11,14 @@
 #include "core/stop.h"
 
 namespace halfdisk {
+
+/// A ray that went wrong, where the scene was before it was put elsewhere (m).
+struct LostRay {
+    enum class How : std::uint8_t { leak, selfHit, nonFinite };
+    How how = How::leak;
+    Vec2 from{0.0},
+        to{0.0};  ///< where it starts, and what it truly meets; in the open a size of the scene away
+};
 
 struct ExtremeCounts {
     std::uint64_t rays = 0;
@@ -21,6 +30,8 @@ struct ExtremeCounts {
     double place = 0.0;       ///< of the others, how far at most they pass beside the true hit, in sizes
                               ///< of the scene (off along a wall that they meet at a slant, they are more)
     double light = 0.0;       ///< relative error of the light seen by all rays together
+
+    std::vector<LostRay> lost{};  ///< the first of them: see SurveyRays::kept
 
     std::uint64_t faults() const { return leaks + selfHits + nonFinite; }
     /// Of the rays, 0 ... 1.
@@ -37,6 +48,7 @@ struct SurveyRays {
     double theta = 0.0;                ///< rad from the wall, all of them (either way); 0: all angles
     bool ends = true;                  ///< one in eight starts next to an end of its wall
     std::uint32_t walls = 0xFFFFFFFF;  ///< they start at the first so many
+    std::size_t kept = 0;              ///< so many that go wrong are kept, of each way to go wrong
 };
 
 /// The product's own: SegmentIndex and rayFrom. The scene is surveyed where `placement` puts it.

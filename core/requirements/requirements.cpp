@@ -12,6 +12,7 @@ namespace halfdisk {
 namespace {
 
 constexpr std::uint32_t kRouletteFrom = 4;
+constexpr double kBounceShare = 0.3;  // of the time: the bounces; then the ways are tried
 
 std::optional<std::uint32_t> forcedTo(const RequirementsQuestion& question, RequirementId id) {
     for (const Forced& forced : question.forced)
@@ -99,7 +100,10 @@ class Search {
     /// of what is left.
     void choose() {
         for (const int round : {0, 1, 2}) {
+            double looked = 0.0;
             for (const Way& way : allWays()) {
+                tell(kBounceShare + (1.0 - kBounceShare) * looked++ / static_cast<double>(allWays().size()),
+                     way.estimator);
                 const bool complete = isComplete(way, question_.index, question_.sensor, depth());
                 const int rank = complete ? (way.unbiased ? 0 : 1) : 2;
                 if (rank == round && isAllowed(way, question_, answer_.facts)) tryWay(way);
@@ -120,6 +124,10 @@ class Search {
 
  private:
     std::uint32_t depth() const { return answer_.bounces.depth; }
+
+    void tell(double share, std::string_view what) const {
+        if (question_.told) question_.told(share, what);
+    }
 
     Plan planOf(const Way& way, std::uint32_t roulette) const {
         return {findEstimator(way.estimator),
@@ -218,39 +226,10 @@ void refuseForced(const RequirementsQuestion& question) {
     }
 }
 
-}  // namespace
-
-RequirementsAnswer requirementsOf(const RequirementsQuestion& question) {
-    const auto start = std::chrono::steady_clock::now();
-    refuseForced(question);
-    if (const std::string fault = faultOf(question.sensor, question.index); !fault.empty())
-        throw std::invalid_argument(fault);
-    const Sensor small = pilotSensor(question.sensor);
-    RequirementsAnswer answer;
-    answer.tolerance = question.tolerance;
-    answer.facts = factsOf(question.index.scene());
-    answer.pathTypes = pathTypesOf(answer.facts, question.sensor);
-    answer.escapes = escapesOf(question.index);
-    if (answer.facts.traits.delta || answer.facts.traits.area)
-        answer.bounces = findBounces({question.index,
-                                      small,
-                                      question.tolerance,
-                                      {},
-                                      tried(question.seed),
-                                      question.stop,
-                                      question.effort},
-                                     answer.facts, specularOf(answer.facts, question.tolerance), answer.rays);
-    answer = replanned(question, answer);
-    answer.seconds = secondsSince(start);
-    return answer;
-}
-
-RequirementsAnswer replanned(const RequirementsQuestion& question, const RequirementsAnswer& known) {
-    const auto start = std::chrono::steady_clock::now();
-    refuseForced(question);
+/// Chooses the way, from what is known of the scene.
+void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer) {
     RequirementsQuestion asked = question;
     asked.seed = tried(question.seed);
-    RequirementsAnswer answer = known;
     answer.candidates.clear();
     answer.loses.clear();
     answer.plan = {};
@@ -262,6 +241,46 @@ RequirementsAnswer replanned(const RequirementsQuestion& question, const Require
     const Sensor small = pilotSensor(asked.sensor);
     Search(asked, small, answer).choose();
     answer.requirements = requirementRows(asked, answer);
+}
+
+}  // namespace
+
+RequirementsAnswer requirementsOf(const RequirementsQuestion& question) {
+    RequirementsAnswer answer;
+    findRequirements(question, answer);
+    return answer;
+}
+
+void findRequirements(const RequirementsQuestion& question, RequirementsAnswer& answer) {
+    const auto start = std::chrono::steady_clock::now();
+    answer = {};
+    refuseForced(question);
+    if (const std::string fault = faultOf(question.sensor, question.index); !fault.empty())
+        throw std::invalid_argument(fault);
+    const Sensor small = pilotSensor(question.sensor);
+    answer.tolerance = question.tolerance;
+    answer.facts = factsOf(question.index.scene());
+    answer.pathTypes = pathTypesOf(answer.facts, question.sensor);
+    answer.escapes = escapesOf(question.index);
+    if (question.told) question.told(0.0, "bounces");
+    if (answer.facts.traits.delta || answer.facts.traits.area)
+        answer.bounces = findBounces({question.index,
+                                      small,
+                                      question.tolerance,
+                                      {},
+                                      tried(question.seed),
+                                      question.stop,
+                                      question.effort},
+                                     answer.facts, specularOf(answer.facts, question.tolerance), answer.rays);
+    choosePlan(question, answer);
+    answer.seconds = secondsSince(start);
+}
+
+RequirementsAnswer replanned(const RequirementsQuestion& question, const RequirementsAnswer& known) {
+    const auto start = std::chrono::steady_clock::now();
+    refuseForced(question);
+    RequirementsAnswer answer = known;
+    choosePlan(question, answer);
     answer.seconds = secondsSince(start);
     return answer;
 }

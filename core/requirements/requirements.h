@@ -16,6 +16,9 @@ namespace halfdisk {
 
 inline constexpr double kInitialTolerance = 0.01;
 
+/// How far it is, 0 ... 1, and what is looked at.
+using RequirementsTold = std::function<void(double share, std::string_view what)>;
+
 struct RequirementsQuestion {
     const SegmentIndex& index;
     const Sensor& sensor;
@@ -23,7 +26,8 @@ struct RequirementsQuestion {
     std::vector<Forced> forced{};
     std::uint64_t seed = kSeedInfo.initial;
     StopQuestion stop{};
-    double effort = 1.0;  ///< rays cast to find out, in parts of the usual number
+    double effort = 1.0;      ///< rays cast to find out, in parts of the usual number
+    RequirementsTold told{};  ///< may be empty
 };
 
 /// A kind of path: which light comes by it.
@@ -86,6 +90,10 @@ inline bool hasLight(const RequirementsAnswer& answer) {
 /// Throws std::invalid_argument, with words for the user, for sensors that can't be used, and if no way does
 /// what is forced; Stopped if question.stop says so.
 RequirementsAnswer requirementsOf(const RequirementsQuestion& question);
+
+/// The same into an answer that is there already: when it throws, what was found until then stays (facts and
+/// path types always; the ways that were tried, without a plan).
+void findRequirements(const RequirementsQuestion& question, RequirementsAnswer& answer);
 
 /// The same with other things forced, faster: what is known of the scene stays. The other parts of the
 /// question must be as they were.

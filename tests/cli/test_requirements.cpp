@@ -1,8 +1,11 @@
 // Does `halfdisk requirements` tell what a scene requires, and does `--estimator auto` do it?
 #include <doctest/doctest.h>
 
+#include <csignal>
+
 #include "result_files.h"
 #include "run_program.h"
+#include "running_program.h"
 
 using namespace halfdisk_test;
 
@@ -48,6 +51,28 @@ TEST_CASE("requirements: one closed form where nothing is in the way, and it is 
     CHECK(outcome.exitCode == 0);
     CHECK(outcome.out.find("estimator closed-form") != std::string::npos);
     CHECK(outcome.out.find("radius, 0.0") != std::string::npos);
+}
+
+TEST_CASE("requirements: Ctrl-C keeps what is known of the scene, and the costs that are measured") {
+    const auto stoppedAfter = [](double seconds, std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), "requirements");
+        arguments.emplace_back("--json");
+        RunningProgram program(arguments);
+        REQUIRE(program.waitUntilBusy(seconds));
+        program.signal(SIGINT);
+        const Outcome outcome = program.waitForEnd();
+        CHECK(outcome.exitCode == 130);
+        CHECK_MESSAGE(outcome.err.find("stopped") != std::string::npos, outcome.err);
+        return Json::parse(outcome.out);
+    };
+    const Json early = stoppedAfter(0.2, {shippedScene("glass_disk_lamp.toml"), "--tolerance", "0.0001"});
+    CHECK(early["complete"] == false);
+    CHECK(early["plan"].is_null());
+    CHECK(early["paths"].size() > 2);
+    const Json late = stoppedAfter(2.0, {shippedScene("diffuse_room.toml"), "--costs", "--rays", "3000000"});
+    CHECK(late["complete"] == true);
+    CHECK(late["costs"]["complete"] == false);
+    CHECK(late["costs"]["everything"].is_null());
 }
 
 TEST_CASE("requirements: costs have a row for each switch") {

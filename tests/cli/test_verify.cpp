@@ -14,8 +14,9 @@ using namespace halfdisk_test;
 namespace {
 
 /// A teacher's own lesson over a shipped scene, with this claim.
-std::string lessonWith(const TemporaryFolder& folder, const std::string& claim) {
-    std::filesystem::copy_file(shippedScene("small_room.toml"), folder / "room.toml",
+std::string lessonWith(const TemporaryFolder& folder, const std::string& claim,
+                       const char* scene = "small_room.toml") {
+    std::filesystem::copy_file(shippedScene(scene), folder / "room.toml",
                                std::filesystem::copy_options::overwrite_existing);
     const std::string file = (folder / "01-mine.toml").string();
     std::ofstream(file) << "title = 'Mine'\nsection = 'S'\nscene = 'room.toml'\n"
@@ -94,6 +95,20 @@ TEST_CASE("verify: what can't be measured is refused with its place") {
             "standard error of one repeat");
     refused("measure = 'exact'\nwith = { depth = 9 }\nequals = 1\n", "exact E is not known");
     refused("measure = 'rays'\nequals = 'many'\n", "\"equals\" is a string");
+    const std::string path = "with = { estimator = 'path', ";
+    refused("measure = 'heaviest'\n" + path + "samples = 4 }\nequals = 1\n", "no pixel is named");
+    refused("measure = 'heaviest'\n" + path + "pixel = 256 }\nequals = 1\n", "from 0 to 255");
+    refused("measure = 'heaviest'\nwith = { pixel = 3 }\nequals = 1\n", "follows no paths");
+    refused("measure = 'noise'\n" + path + "picture = 'strip' }\nequals = 1\n", "expected \"seen\"");
+    refused(
+        "measure = 'raysTo'\nwith = { estimator = 'radiosity', wishedError = 0.001, params = { patches = 1 } "
+        "}\nequals = 1\n",
+        "never comes to an error of 0.001");
+    refused("measure = 'planRays'\nwith = { force = { mirrors = true } }\nequals = 1\n",
+            "names no requirement");
+    refused("measure = 'planRays'\nwith = { force = { colour = false } }\nequals = 1\n", "can't be forced");
+    refused("measure = 'planRays'\nwith = { force = { mis = 3 } }\nequals = 1\n", "true or false");
+    refused("measure = 'planBounces'\nwith = { force = { bounces = true } }\nequals = 1\n", "\"bounces\"");
     CHECK(runProgram({"verify", "no-such-lesson"}).exitCode == 2);
 }
 
@@ -158,6 +173,67 @@ TEST_CASE("verify: the spread is the root of the variance, and the relative erro
     CHECK(measured("spread") == doctest::Approx(std::sqrt(variance)));
     // A run has 4 samples.
     CHECK(measured("relativeError") == doctest::Approx(std::sqrt(variance / 4) / measured("irradiance")));
+}
+
+TEST_CASE(
+    "verify: claims about pictures, the trade and the plan agree with the commands that measure these") {
+    const TemporaryFolder folder;
+    const char* scene = "small_room.toml";
+    const auto measured = [&](const std::string& claim) {
+        const Outcome outcome =
+            runProgram({"verify", lessonWith(folder, claim + "atLeast = 0\n", scene), "--json"});
+        INFO(claim, outcome.err);
+        REQUIRE(outcome.exitCode == 0);
+        return nlohmann::json::parse(outcome.out)["claims"][0]["measured"].get<double>();
+    };
+    const auto of = [&](const std::string& quantity, const std::string& with) {
+        return measured("measure = '" + quantity + "'\nwith = { " + with + " }\n");
+    };
+    const auto told = [](const std::vector<std::string>& arguments) {
+        const Outcome outcome = runProgram(arguments);
+        INFO(outcome.err);
+        REQUIRE(outcome.exitCode == 0);
+        return nlohmann::json::parse(outcome.out);
+    };
+    const std::string room = shippedScene("small_room.toml");
+
+    SUBCASE("a picture without bias is as far off as its noise says, a smooth one with bias is not") {
+        const std::string path = "picture = 'profile', depth = 1, estimator = 'path'";
+        const double noise = of("noise", path), error = of("pictureError", path);
+        CHECK(error > 0.7 * noise);  // 128 pixels: 6 % one sigma, and neighbours differ
+        CHECK(error < 1.4 * noise);
+        const std::string patches =
+            "picture = 'profile', depth = 1, estimator = 'radiosity', params = { patches = 4 }";
+        CHECK(of("pictureError", patches) > 5.0 * of("noise", patches));
+    }
+    SUBCASE("rays to an error are those of the trade") {
+        const auto trade = told({"trade", room, "--sensor", "profile", "--walls", "floor", "--depth", "1",
+                                 "--estimators", "path", "--rays", "400000", "--target", "0.02", "--json"});
+        const double claimed = of("raysTo", "depth = 1, estimator = 'path', wishedError = 0.02");
+        double trades = 0.0;
+        for (const auto& cell : trade["cells"])
+            if (cell["name"] == "path") trades = cell["target"]["rays"].get<double>();
+        CHECK(claimed == doctest::Approx(trades).epsilon(0.1));
+    }
+    SUBCASE("scatterings are those of the requirements, unless they are forced") {
+        const auto plan = told({"requirements", room, "--sensor", "profile", "--walls", "floor",
+                                "--tolerance", "0.02", "--json"});
+        CHECK(of("planBounces", "tolerance = 0.02") == plan["plan"]["depth"].get<double>());
+        CHECK(of("planBounces", "tolerance = 0.02, force = { bounces = 1 }") == 1.0);
+        const double needed = of("planRays", "tolerance = 0.02");
+        CHECK(of("planRays", "tolerance = 0.02, force = { light-sampling = false }") > 2.0 * needed);
+        CHECK(of("planRays", "tolerance = 0.01, force = { bounces = 1 }") >
+              of("planRays", "tolerance = 0.02, force = { bounces = 1 }"));
+    }
+    SUBCASE("of one path all light of a pixel comes by the heaviest") {
+        scene = "diffuse_room.toml";
+        const std::string path =
+            "estimator = 'path', params = { emitters = 'sample' }, pixel = 128, samples = ";
+        CHECK(of("heaviest", path + "1") == 1.0);
+        const double among = of("heaviest", path + "64");
+        CHECK(among > 1.0 / 64.0);
+        CHECK(among < 0.5);
+    }
 }
 
 TEST_CASE("verify: every claim of the shipped lessons is true") {

@@ -2,6 +2,7 @@
 // it is said to?
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "core/estimate.h"
@@ -161,6 +162,41 @@ TEST_CASE("dial: the product loses no ray; float and a fixed step do") {
     slit.gap = 0.1;
     CHECK(measureDial(slit, Scene{}).rays > 0);
     CHECK_THROWS_AS(measureDial({}, someRoom(), [] { return true; }), Stopped);
+}
+
+TEST_CASE("survey: rays that go wrong are kept where they start and where they should end") {
+    const Scene room = someRoom();  // closed: each ray has a wall to meet
+    const Vec2 middle = boxOf(room).middle();
+    SurveyRays rays;
+    rays.kept = 7;
+    for (const double offset : {0.0, 1e5}) {
+        const ExtremeCounts counts =
+            surveyNaive(room, {1.0, offset}, rays, Precision::single, EpsilonPolicy::none);
+        const auto kept = [&](LostRay::How how) {
+            return std::count_if(counts.lost.begin(), counts.lost.end(),
+                                 [&](const LostRay& ray) { return ray.how == how; });
+        };
+        CAPTURE(offset);
+        REQUIRE(counts.selfHits > rays.kept);
+        CHECK(kept(LostRay::How::selfHit) == 7);
+        CHECK(kept(LostRay::How::leak) ==
+              static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(7, counts.leaks)));
+        CHECK(counts.lost.size() <= 21);
+        for (const LostRay& ray : counts.lost)
+            for (const Vec2 end : {ray.from, ray.to}) {
+                double nearest = 1.0;
+                for (const Segment& wall : room.segments) {
+                    const Vec2 along = glm::normalize(wall.b - wall.a), to = end - wall.a;
+                    const double t = std::clamp(glm::dot(to, along), 0.0, glm::length(wall.b - wall.a));
+                    nearest = std::min(nearest, glm::length(to - t * along));
+                }
+                CHECK(nearest < 1e-12);
+                CHECK(glm::length(end - middle) <= sizeOf(room));
+            }
+    }
+    CHECK(surveyOurs(room, {1.0, 1e5}, rays).lost.empty());
+    rays.kept = 0;
+    CHECK(surveyNaive(room, {}, rays, Precision::single, EpsilonPolicy::none).lost.empty());
 }
 
 TEST_CASE("dial: the same setting gives the same counts, and many walls fewer rays") {

@@ -135,12 +135,13 @@ double raysToWished(const ClaimPlace& place) {
 
 double heaviestShare(const ClaimPlace& place) {
     if (!place.trial.pixel) throw InputError("no pixel is named, expected \"pixel\", from 0 to 255");
+    const Run run = runOf(place.trial);
     if (!place.scene->scene.eye) throw InputError("the scene has no eye");
     LightAnswer answer;
     answer.asked = questionOf(place);
     answer.asked.pixel = place.trial.pixel;
     answer.asked.makers.first = makerOf(place.trial);
-    answer.asked.run = runOf(place.trial);
+    answer.asked.run = run;
     answer.point = shadedPointOn(place.scene->index, place.trial.at.segment, place.trial.at.t);
     recordPathRun(answer, std::atomic<bool>{false});
     if (!answer.pathRun->refusal.empty()) throw InputError(answer.pathRun->refusal);

@@ -48,14 +48,16 @@ std::vector<DialLine> dialLines(const DialAnswer& answer) {
 
 std::string dialVerdict(const DialAnswer& answer) {
     if (!answer.refusal.empty()) return say("Nothing is counted: {}.", answer.refusal);
-    const ExtremeCounts& chosen = answer.chosen;
+    const ExtremeCounts &chosen = answer.chosen, &product = answer.product;
     if (chosen.rays == 0) return std::string(tr("There is no wall to leave."));
     const auto part = [](const ExtremeCounts& counts) {
         return 100.0 * static_cast<double>(counts.faults()) / static_cast<double>(counts.rays);
     };
     if (chosen.faults() == 0) return say("None of {} rays goes wrong here.", chosen.rays);
+    if (product.faults() == 0)
+        return say("Of {} rays {:.2g} % go wrong; of Halfdisk's own none.", chosen.rays, part(chosen));
     return say("Of {} rays {:.2g} % go wrong; of Halfdisk's own {:.2g} %.", chosen.rays, part(chosen),
-               part(answer.product));
+               part(product));
 }
 
 std::string extremesWords(const AppState& state) {

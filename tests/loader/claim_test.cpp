@@ -70,7 +70,7 @@ TEST_CASE("claims are checked") {
     check(kSays + "equals = ^nan", {"\"equals\" is nan"});
     check(kSays + "atMost = 1\ntolerance = ^1", {"only \"equals\" has a \"tolerance\""});
     check(kSays + "equals = 1\ntolerance = ^-1", {"\"tolerance\" is -1"});
-    check("says = 'W'\nequals = 1\nmeasure = ^'noise'", {"\"measure\" is \"noise\"", "variance"});
+    check("says = 'W'\nequals = 1\nmeasure = ^'din'", {"\"measure\" is \"din\"", "variance"});
     check(kSays + "equals = 1\nwith = { repeats = ^0 }", {"\"repeats\" is 0", "from 1 to 1000000"});
     check(kSays + "equals = 1\nwith = { at = ^'wall:0' }", {"\"at\": there is no wall \"wall\""});
     check(kSays + "equals = 1\nwith = { ^event = 3 }", {"unknown key \"event\""});

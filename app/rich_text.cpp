@@ -18,6 +18,13 @@ struct Word {
 // Code is not broken at its spaces, unless it is longer than a narrow column.
 constexpr std::size_t kMostOfWholeCode = 24;
 
+/// Where the first word of `text` ends; a number and its percent sign are one.
+std::size_t endOfWord(std::string_view text) {
+    std::size_t end = text.find(' ');
+    if (end != std::string_view::npos && text.substr(end).starts_with(" %")) end = text.find(' ', end + 1);
+    return std::min(end, text.size());
+}
+
 std::vector<Word> wordsOf(const Paragraph& paragraph) {
     std::vector<Word> words;
     bool space = false;
@@ -29,7 +36,7 @@ std::vector<Word> wordsOf(const Paragraph& paragraph) {
             if (begin == std::string_view::npos) break;
             rest.remove_prefix(begin);
             const bool whole = span.style == SpanStyle::code && rest.size() <= kMostOfWholeCode;
-            const std::size_t end = whole ? rest.size() : std::min(rest.find(' '), rest.size());
+            const std::size_t end = whole ? rest.size() : endOfWord(rest);
             words.push_back({rest.substr(0, end), &span, space && !words.empty()});
             rest.remove_prefix(end);
             space = false;

@@ -125,7 +125,7 @@ double raysToWished(const ClaimPlace& place) {
         const TradeTruth truth{reference->light(), reference->relativeError, reference->exact(),
                                problem.maxDepth};
         const TradeReport report = tradeReport({std::move(cell)}, truth, wished);
-        const std::optional<double> rays = report.verdicts.front().toTarget[std::size_t(TradeCost::rays)];
+        const std::optional<double> rays = report.verdicts.front().toTarget[at(TradeCost::rays)];
         if (!rays) throw InputError(fmt::format("it never comes to an error of {}", wished));
         return *rays;
     } catch (const NoReference& why) {

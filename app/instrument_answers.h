@@ -7,7 +7,7 @@
 
 #include "core/extremes/dial.h"
 #include "core/requirements/costs.h"
-#include "core/trade/trade_report.h"
+#include "core/trade/trade_choice.h"
 #include "lessons/instruments.h"
 
 namespace halfdisk {

@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kPercent = 100.0;
 
-std::size_t at(TradeCost cost) {
-    return static_cast<std::size_t>(cost);
-}
-
 /// What its passes cost in all.
 double spentOf(const TradeReport& report, std::size_t cell, TradeCost cost) {
     const TradeLaw& law = report.verdicts[cell].law;

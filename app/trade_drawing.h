@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/plot.h"
-#include "core/trade/trade_report.h"
+#include "core/trade/trade_choice.h"
 
 namespace halfdisk {
 

@@ -53,7 +53,7 @@ void drawAlone(Session& session, const Fonts& fonts, Sheet* sheet, const char* n
 std::string wordsOf(const TradeReport& report) {
     std::string words;
     for (const auto& cost : kTradeCosts)
-        for (const TradeStretch& stretch : report.fronts[static_cast<std::size_t>(cost.value)])
+        for (const TradeStretch& stretch : report.fronts[at(cost.value)])
             words += fmt::format("By {}, for an error of {:.3g} % to {:.3g} % the cheapest is {}.\n",
                                  cost.name, 100.0 * stretch.fromError, 100.0 * stretch.toError,
                                  report.cells[stretch.cell].name);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/render_result.h"
+#include "core/trade/trade_choice.h"
 
 namespace halfdisk {
 namespace {
@@ -71,7 +72,7 @@ std::vector<std::size_t> orderOf(const TradeReport& report) {
 }
 
 std::string frontText(const TradeReport& report, const Named<TradeCost>& cost) {
-    const auto& stretches = report.fronts[static_cast<std::size_t>(cost.value)];
+    const auto& stretches = report.fronts[at(cost.value)];
     if (stretches.empty()) return {};
     std::string text = fmt::format("\nThe front, by {}: the cheapest for an error of\n", cost.name);
     for (const TradeStretch& stretch : stretches) {
@@ -86,7 +87,7 @@ std::string frontText(const TradeReport& report, const Named<TradeCost>& cost) {
 }
 
 std::string crossingsText(const TradeReport& report, const Named<TradeCost>& cost) {
-    const auto& crossings = report.crossings[static_cast<std::size_t>(cost.value)];
+    const auto& crossings = report.crossings[at(cost.value)];
     if (crossings.empty()) return {};
     std::string text = fmt::format("\nWhere the best of two estimators cross, by {}:\n", cost.name);
     for (const TradeCrossing& crossing : crossings)
@@ -156,7 +157,7 @@ Json reportJson(const TradeFolder& trade, const TradeReport& report) {
         json["cells"].push_back(item);
     }
     for (const auto& cost : kTradeCosts) {
-        const std::size_t k = static_cast<std::size_t>(cost.value);
+        const std::size_t k = at(cost.value);
         Json front = Json::array(), crossings = Json::array();
         for (const TradeStretch& stretch : report.fronts[k])
             front.push_back({{"setting", report.cells[stretch.cell].name},

@@ -51,7 +51,7 @@ std::string biasWords(const TradeVerdict& verdict) {
 /// Errors for which a cell is the cheapest, by that cost.
 std::string stretchWords(const TradeReport& report, std::size_t cell, const Named<TradeCost>& cost) {
     std::string words;
-    for (const TradeStretch& stretch : report.fronts[static_cast<std::size_t>(cost.value)]) {
+    for (const TradeStretch& stretch : report.fronts[at(cost.value)]) {
         if (stretch.cell != cell) continue;
         words += words.empty() ? "" : ", ";
         words += say("{} to {}", percent(stretch.fromError), percent(stretch.toError));
@@ -66,7 +66,7 @@ std::string standingWords(const TradeReport& report, std::size_t cell) {
     if (verdict.foundNothing) return std::string(tr("It found no light at all."));
     std::string words;
     for (const Named<TradeCost>& cost : kTradeCosts) {
-        const std::optional<double>& off = verdict.off[static_cast<std::size_t>(cost.value)];
+        const std::optional<double>& off = verdict.off[at(cost.value)];
         std::string line = stretchWords(report, cell, cost);
         if (line.empty() && off && *off > kOnFront)
             line = cost.value == TradeCost::rays

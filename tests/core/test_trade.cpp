@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/trade/trade_report.h"
+#include "core/trade/trade_choice.h"
 
 using namespace halfdisk;
 

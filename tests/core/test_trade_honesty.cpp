@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/trade/trade_report.h"
+#include "core/trade/trade_choice.h"
 #include "lessons/scene_file.h"
 
 using namespace halfdisk;

@@ -1,0 +1,153 @@
+#include "core/requirements/way_search.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "core/requirements/words.h"
+
+namespace halfdisk {
+namespace {
+
+constexpr std::uint32_t kRouletteFrom = 4;
+
+bool isAllowed(const Way& way, const RequirementsQuestion& question, const SceneFacts& facts) {
+    const SceneTraits& traits = facts.traits;
+    const auto agrees = [&](RequirementId id, bool value) {
+        const auto wanted = forcedTo(question, id);
+        return !wanted || (*wanted != 0) == value;
+    };
+    // With nothing to be met, all three ways of `path` are the same; with nothing to be met or asked too.
+    if (!traits.area && way.estimator == "path" && !forcedTo(question, RequirementId::mis) &&
+        way.emitters != "sample")
+        return false;
+    // Next to a lamp the light that asking brings has no bound, and few rays don't show it.
+    const bool rough = facts.lampInCorner || std::holds_alternative<Field>(question.sensor);
+    if (traits.area && rough && way.emitters == "sample" && !forcedTo(question, RequirementId::mis))
+        return false;
+    const auto roulette = forcedTo(question, RequirementId::roulette);
+    return agrees(RequirementId::lightSampling, asksLights(way, traits)) &&
+           agrees(RequirementId::mis, way.mis) && agrees(RequirementId::lightPass, way.lightPass) &&
+           agrees(RequirementId::photonPass, way.photonPass) &&
+           !(roulette && *roulette != 0 && !way.roulette);
+}
+
+class Search {
+ public:
+    Search(const RequirementsQuestion& question, const Sensor& small, RequirementsAnswer& answer)
+        : question_(question), small_(small), answer_(answer) {}
+
+    void choose() {
+        for (const int round : {0, 1, 2}) {
+            double looked = 0.0;
+            for (const Way& way : allWays()) {
+                tell(kBounceShare + (1.0 - kBounceShare) * looked++ / static_cast<double>(allWays().size()),
+                     way.estimator);
+                const bool complete = isComplete(way, question_.index, question_.sensor, depth());
+                const int rank = complete ? (way.unbiased ? 0 : 1) : 2;
+                if (rank == round && isAllowed(way, question_, answer_.facts)) tryWay(way);
+            }
+            if (!answer_.candidates.empty()) break;
+        }
+        if (answer_.candidates.empty())
+            throw std::invalid_argument(words::joined("no way of carrying light does what is forced",
+                                                      refusal_.empty() ? "" : ": ", refusal_));
+        takeBest();
+        tryOtherRoulette();
+        if (answer_.plan.way.estimator == "closed-form") return;
+        if (!isComplete(answer_.plan.way, question_.index, question_.sensor, depth()))
+            answer_.loses = words::joined(
+                "carries ", pathsOf(answer_.plan.way, question_.index.scene(), question_.sensor), ", of ",
+                allPaths(question_.index.scene()));
+    }
+
+ private:
+    std::uint32_t depth() const { return answer_.bounces.depth; }
+
+    void tell(double share, std::string_view what) const {
+        if (question_.told) question_.told(share, what);
+    }
+
+    Plan planOf(const Way& way, std::uint32_t roulette) const {
+        return {findEstimator(way.estimator),
+                paramsOf(way, question_.index, way.roulette ? roulette : 0),
+                depth(),
+                answer_.plan.maxSpecular,
+                answer_.plan.index,
+                way};
+    }
+
+    void tryWay(const Way& way) {
+        const auto forced = forcedTo(question_, RequirementId::roulette);
+        const bool roulette = forced ? *forced != 0 : depth() > kRouletteFrom;
+        tryPlan(planOf(way, roulette ? kRouletteFrom : 0));
+    }
+
+    void tryPlan(const Plan& plan) {
+        if (!(plan.estimator->sensors & bitOf(question_.sensor))) return;
+        const Problem whole{question_.index,  question_.sensor, plan.maxDepth,
+                            plan.maxSpecular, question_.seed,   question_.stop};
+        if (plan.estimator->id == "closed-form") {
+            // Its refusal looks at every pixel.
+            if (std::string why = refusalOf(*plan.estimator, whole, plan.params); !why.empty()) {
+                refusal_ = why;
+                return;
+            }
+        }
+        // Light that comes through mirrors and glass is rare and bright: few rays don't show its noise.
+        const bool rare = answer_.facts.traits.specular && answer_.facts.traits.area;
+        const Problem problem{
+            .index = question_.index, .sensor = small_, .seed = question_.seed, .stop = question_.stop};
+        const double rays = question_.effort * (rare ? 400'000.0 : 80'000.0);
+        try {
+            answer_.candidates.push_back(
+                {plan, pilot(problem, plan, {.rays = static_cast<std::uint64_t>(rays)}), false});
+            answer_.rays += answer_.candidates.back().pilot.rays;
+        } catch (const std::invalid_argument& why) {
+            refusal_ = why.what();
+        }
+    }
+
+    void takeBest() {
+        // Where so few rays do, they are no cost: then the simplest way is the best.
+        constexpr double kFewRays = 16.0;  // for each pixel
+        const auto rays = [&](const Candidate& candidate) {
+            return std::max(candidate.pilot.raysTo(answer_.tolerance),
+                            kFewRays * static_cast<double>(candidate.pilot.pixels));
+        };
+        Candidate* best = &answer_.candidates.front();
+        for (Candidate& candidate : answer_.candidates)
+            if (rays(candidate) < 0.98 * rays(*best)) best = &candidate;
+        for (Candidate& candidate : answer_.candidates) candidate.chosen = &candidate == best;
+        answer_.plan = best->plan;
+    }
+
+    void tryOtherRoulette() {
+        const Way way = answer_.plan.way;
+        if (!way.roulette || depth() == 0 || forcedTo(question_, RequirementId::roulette)) return;
+        tryPlan(planOf(way, rouletteOf(answer_.plan) > 0 ? 0 : std::min(kRouletteFrom, depth())));
+        takeBest();
+    }
+
+    const RequirementsQuestion& question_;
+    const Sensor& small_;
+    RequirementsAnswer& answer_;
+    std::string refusal_;
+};
+
+}  // namespace
+
+std::optional<std::uint32_t> forcedTo(const RequirementsQuestion& question, RequirementId id) {
+    for (const Forced& forced : question.forced)
+        if (forced.id == id) return forced.value;
+    return std::nullopt;
+}
+
+bool asksLights(const Way& way, const SceneTraits& traits) {
+    return way.lightSampling || (way.emitters == "hit" && traits.delta);
+}
+
+void searchWay(const RequirementsQuestion& question, const Sensor& small, RequirementsAnswer& answer) {
+    Search(question, small, answer).choose();
+}
+
+}  // namespace halfdisk

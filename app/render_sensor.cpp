@@ -55,6 +55,8 @@ PictureOf stripOf(const RenderTexts& texts, const Scene& scene) {
 }
 
 PictureOf profileOf(const RenderTexts& texts, const Scene& scene) {
+    if (scene.segments.empty())
+        throw InputError(fmt::format("{}: the scene has no wall, expected one at least", texts.scene));
     const std::uint32_t bins = sizeOr(kWidthInfo, texts.width, kProfileBins);
     return sized(Profile{wallsArgument("--walls", texts.walls, scene), bins}, bins,
                  sizeOr(kHeightInfo, texts.height, kStripHeight));

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "app/estimator_arguments.h"
@@ -71,8 +72,13 @@ std::string costLine(const std::string& what, const PlanCost& cost) {
         cost.changeOfPixels > 0.0 ? fmt::format("{:.2g} %", 100.0 * cost.changeOfPixels) : "-";
     const std::string change =
         fmt::format("{:+.2f} ± {:.2f} %", 100.0 * cost.change, 200.0 * cost.changeError);
-    return fmt::format("{:<24} {:>20} {:>8} {:>10.3g} {:>10.2f} {:>10.3g}  {}\n", what, change, pixels,
-                       cost.raysFactor, cost.timePerRayFactor, cost.timeFactor(), cost.plan.estimator->id);
+    // Between noise and no noise there is no factor.
+    const auto factor = [](double value) {
+        return std::isfinite(value) && value > 0.0 ? fmt::format("{:.3g}", value) : std::string("-");
+    };
+    return fmt::format("{:<24} {:>20} {:>8} {:>10} {:>10.2f} {:>10}  {}\n", what, change, pixels,
+                       factor(cost.raysFactor), cost.timePerRayFactor, factor(cost.timeFactor()),
+                       cost.plan.estimator->id);
 }
 
 Json bouncesJson(const BounceFindings& bounces) {
@@ -181,7 +187,7 @@ std::string costsText(const Costs& costs) {
     if (costs.complete()) text += costLine("everything on", costs.everything);
     text += wrapped(fmt::format("light: change of the mean, ± 2 standard errors; pixels: root mean square of "
                                 "their changes, where "
-                                "noise does not hide it; rays: to the same noise; time: rays times time per "
+                                "noise does not hide it; rays: to the same noise (-: one of the two has none); time: rays times time per "
                                 "ray, on this machine, "
                                 "now. The plan itself: {:.3g} ns per ray.",
                                 1e9 * costs.plan.secondsPerRay()),

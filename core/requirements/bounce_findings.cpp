@@ -2,47 +2,11 @@
 
 #include <algorithm>
 
+#include "core/requirements/series.h"
 #include "core/requirements/words.h"
 
 namespace halfdisk {
 namespace {
-
-constexpr double kSeriesRays = 100'000.0;
-constexpr double kSure = 2.0;  // standard errors that a measured share is taken for larger
-
-/// A way that finds all light, to be followed deep.
-struct Series {
-    Plan plan;
-    std::uint32_t deepest;
-};
-
-std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32_t maxSpecular) {
-    const auto with = [&](std::string_view id, bool mis, std::uint32_t deepest) -> std::optional<Series> {
-        for (const Way& way : allWays())
-            if (way.estimator == id && way.mis == mis &&
-                isComplete(way, question.index, question.sensor, deepest))
-                return Series{{findEstimator(id), paramsOf(way, question.index, 4), deepest, maxSpecular,
-                               IndexMethod::automatic, way},
-                              deepest};
-        return std::nullopt;
-    };
-    if (auto path = with("path", true, 48)) return path;
-    if (auto light = with("light", false, 32)) return light;
-    if (auto joined = with("bidirectional", true, 10)) return joined;
-    return with("photon-map", true, 8);
-}
-
-BeyondDepth shareBeyond(std::uint32_t depth, const Pilot& all, const Pilot& upTo) {
-    double mean = 0.0, squares = 0.0;
-    const double n = static_cast<double>(all.totals.size());
-    for (std::size_t k = 0; k < all.totals.size(); ++k) mean += (all.totals[k] - upTo.totals[k]) / n;
-    for (std::size_t k = 0; k < all.totals.size(); ++k) {
-        const double off = all.totals[k] - upTo.totals[k] - mean;
-        squares += off * off;
-    }
-    if (!(all.mean > 0.0)) return {depth, 0.0, 0.0};
-    return {depth, std::max(0.0, mean / all.mean), std::sqrt(squares / (n - 1.0) / n) / all.mean};
-}
 
 // The same random numbers at every depth: a deeper path is the same path, followed further, so that the
 // difference is what the further scatterings bring.
@@ -63,7 +27,7 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
             pilot(problem, plan, {.rays = 0, .leastPasses = all.passes, .mostPasses = all.passes});
         rays += upTo.rays;
         shares.push_back(shareBeyond(depth, all, upTo));
-        if (shares.back().share + kSure * shares.back().standardError <= question.tolerance) break;
+        if (isEnough(shares.back(), question.tolerance)) break;
     }
     return shares;
 }
@@ -72,7 +36,7 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
 std::uint32_t depthOf(const std::vector<BeyondDepth>& shares, double tolerance) {
     if (shares.empty()) return kMaxDepthInfo.initial;
     for (const BeyondDepth& beyond : shares)
-        if (beyond.share + kSure * beyond.standardError <= tolerance) return beyond.depth;
+        if (isEnough(beyond, tolerance)) return beyond.depth;
     const BeyondDepth& last = shares.back();
     if (shares.size() < 2) return last.depth + 1;
     const BeyondDepth& before = shares[shares.size() - 2];

@@ -98,21 +98,27 @@ std::string wordsOf(const RequirementCost& row) {
     } else {
         text = "light stays the same";
     }
-    text += words::joined("; ", words::number(cost.raysFactor, 3), " times the rays to the same noise, ",
-                          words::number(cost.timePerRayFactor, 2), " times the time per ray");
-    return text;
+    if (std::isinf(cost.raysFactor))
+        text += "; there is noise, where the plan has none";
+    else if (cost.raysFactor == 0.0)
+        text += "; there is no noise";
+    else
+        text += words::joined("; ", words::number(cost.raysFactor, 3), " times the rays to the same noise");
+    return words::joined(text, ", ", words::number(cost.timePerRayFactor, 2), " times the time per ray");
 }
 
 /// What to change each requirement to.
 std::vector<std::uint32_t> flipsOf(RequirementId id, std::uint32_t value) {
     if (infoOf(id).kind == Switch::none) return {};
     if (infoOf(id).kind == Switch::onOff) return {value != 0 ? 0u : 1u};
-    if (id == RequirementId::specular)
-        return {value != 0 ? 0u : static_cast<std::uint32_t>(kMaxSpecularInfo.initial)};
+    if (id == RequirementId::specular && value == 0)
+        return {static_cast<std::uint32_t>(kMaxSpecularInfo.initial)};
     const std::uint32_t more =
         std::min<std::uint32_t>(std::max(1u, 2 * value), static_cast<std::uint32_t>(kMaxDepthInfo.most));
     if (value == 0) return {more};
-    return {value - 1, more};
+    const std::uint32_t less = id == RequirementId::specular ? 0 : value - 1;
+    if (more <= value) return {less};
+    return {less, more};
 }
 
 /// None of them measured yet.

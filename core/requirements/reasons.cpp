@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/requirements/bounce_findings.h"
+#include "core/requirements/specular_findings.h"
 #include "core/requirements/words.h"
 
 namespace halfdisk {
@@ -68,23 +69,6 @@ std::string lightsReason(const SceneFacts& facts) {
     return lights + ", which no ray meets by chance";
 }
 
-std::string specularReason(const RequirementsAnswer& answer) {
-    const SceneFacts& facts = answer.facts;
-    if (!facts.traits.specular) return facts.chainReason + ": nothing to follow";
-    std::string reason;
-    if (facts.mirrors > 0) reason += counted(facts.mirrors, "mirror");
-    if (facts.mirrors > 0 && facts.glass > 0) reason += ", ";
-    if (facts.glass > 0) reason += joined(counted(facts.glass, "wall"), " of glass");
-    reason += joined("; ", facts.chainReason);
-    std::uint64_t cut = 0, paths = 0;
-    for (const Candidate& candidate : answer.candidates)
-        if (candidate.chosen) {
-            cut = candidate.pilot.cut;
-            paths = candidate.pilot.paths;
-        }
-    return reason + "; " + std::to_string(cut) + " of " + std::to_string(paths) + " paths tried were longer";
-}
-
 std::string lightSamplingReason(const RequirementsAnswer& answer) {
     if (answer.plan.way.estimator == "closed-form")
         return "direct light alone, and nothing in its way: a formula gives it";
@@ -103,6 +87,7 @@ std::string misReason(const RequirementsAnswer& answer) {
         return "a lamp touches a wall that it lights: what a point on it brings has no bound there, and rays "
                "that meet "
                "it by chance must share it";
+    if (answer.plan.way.estimator == "closed-form") return "a formula gives all the light: nothing is weighed";
     const auto weighs = [](const Candidate& candidate) { return candidate.plan.way.mis; };
     return orElse(factor(answer, weighs, "weighing two ways", "one way alone"),
                   "the other ways can't do without");
@@ -173,8 +158,8 @@ std::vector<Requirement> requirementRows(const RequirementsQuestion& question,
         std::to_string(escapes.left) + " of " + std::to_string(escapes.tried) +
             " rays that left a wall met no other",
         escapes.left > 0 ? Ground::proof : Ground::measurement);
-    add(RequirementId::specular, answer.plan.maxSpecular > 0, specularReason(answer), Ground::proof,
-        answer.plan.maxSpecular);
+    add(RequirementId::specular, answer.plan.maxSpecular > 0, specularReason(answer),
+        answer.specular.measured.empty() ? Ground::proof : Ground::measurement, answer.plan.maxSpecular);
     add(RequirementId::glossy, facts.glossy > 0,
         facts.glossy > 0 ? counted(facts.glossy, "glossy wall") + ", the sharpest with exponent " +
                                words::number(facts.mostExponent, 4)

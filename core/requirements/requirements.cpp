@@ -6,6 +6,7 @@
 
 #include "core/requirements/bounce_findings.h"
 #include "core/requirements/reasons.h"
+#include "core/requirements/specular_findings.h"
 #include "core/requirements/way_search.h"
 #include "core/requirements/words.h"
 
@@ -26,18 +27,6 @@ std::vector<PathType> pathTypesOf(const SceneFacts& facts, const Sensor& sensor)
         {"L(S|D)*DS+E", "walls seen in mirrors or through glass", light && has.specular && matt},
         {"LS+DS+E", "caustics seen in mirrors or through glass", light && has.specular && matt},
     };
-}
-
-// Where the geometry has no bound, mirrors' reflectances may have one: at least the usual number, and more
-// where mirrors are so bright that this would be seen.
-std::uint32_t specularOf(const SceneFacts& facts, double tolerance) {
-    if (facts.longestChain) return *facts.longestChain;
-    const auto usual = static_cast<std::uint32_t>(kMaxSpecularInfo.initial);
-    if (facts.glass > 0 || facts.mostReflectance <= 0.0) return usual;
-    if (facts.mostReflectance >= 1.0) return static_cast<std::uint32_t>(kMaxSpecularInfo.most);
-    const double events = std::ceil(std::log(tolerance) / std::log(facts.mostReflectance));
-    return static_cast<std::uint32_t>(
-        std::clamp(events, static_cast<double>(usual), static_cast<double>(kMaxSpecularInfo.most)));
 }
 
 RequirementsAnswer::Escapes escapesOf(const SegmentIndex& index) {
@@ -94,8 +83,7 @@ void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer
     answer.candidates.clear();
     answer.loses.clear();
     answer.plan = {};
-    answer.plan.maxSpecular =
-        forcedTo(asked, RequirementId::specular).value_or(specularOf(answer.facts, asked.tolerance));
+    answer.plan.maxSpecular = forcedTo(asked, RequirementId::specular).value_or(answer.specular.required);
     if (const auto index = forcedTo(asked, RequirementId::index))
         answer.plan.index = *index != 0 ? IndexMethod::tree : IndexMethod::bruteForce;
     cutAt(forcedTo(asked, RequirementId::bounces).value_or(answer.bounces.required), answer.bounces);
@@ -124,15 +112,16 @@ void findRequirements(const RequirementsQuestion& question, RequirementsAnswer& 
     answer.pathTypes = pathTypesOf(answer.facts, question.sensor);
     answer.escapes = escapesOf(question.index);
     if (question.told) question.told(0.0, "bounces");
-    if (answer.facts.traits.delta || answer.facts.traits.area)
-        answer.bounces = findBounces({question.index,
-                                      small,
-                                      question.tolerance,
-                                      {},
-                                      tried(question.seed),
-                                      question.stop,
-                                      question.effort},
-                                     answer.facts, specularOf(answer.facts, question.tolerance), answer.rays);
+    RequirementsQuestion first{.index = question.index,
+                               .sensor = small,
+                               .tolerance = question.tolerance,
+                               .forced = {},
+                               .seed = tried(question.seed),
+                               .stop = question.stop,
+                               .effort = question.effort};
+    answer.specular = findSpecular(first, answer.facts, answer.rays);
+    if (hasLight(answer))
+        answer.bounces = findBounces(first, answer.facts, answer.specular.required, answer.rays);
     choosePlan(question, answer);
     answer.seconds = secondsSince(start);
 }

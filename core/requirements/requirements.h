@@ -44,6 +44,14 @@ struct BeyondDepth {
     double standardError = 0.0;  ///< 0: not drawn at random
 };
 
+/// What is known of chains of mirror and glass events.
+struct SpecularFindings {
+    std::uint32_t required = 0;
+    /// By paths, ascending; `depth` counts events in a row. Empty: geometry bounds them, or what mirrors
+    /// swallow.
+    std::vector<BeyondDepth> measured;
+};
+
 /// What is known of the bounces, from three sides.
 struct BounceFindings {
     std::uint32_t required = 0;             ///< by itself, whatever is forced
@@ -66,6 +74,7 @@ struct RequirementsAnswer {
     SceneFacts facts;
     std::vector<PathType> pathTypes;
     std::vector<Requirement> requirements;  ///< in the order of kRequirements
+    SpecularFindings specular;
     BounceFindings bounces;
     std::vector<Candidate> candidates;
     /// Rays that left walls, and those of them that met no other.

@@ -69,18 +69,21 @@ std::string shortened(std::string text) {
     return text;
 }
 
-TradeCell cellFrom(const Json& json) {
+TradeCell cellFrom(const fs::path& file, const Json& json) {
+    const auto refuse = [&](const std::string& why) { throw InputError(file.string(), why); };
     TradeCell cell;
     TradeSetting& setting = cell.setting;
     setting.estimator = findEstimator(json.at("estimator").get<std::string>());
     if (setting.estimator == nullptr)
-        throw InputError(fmt::format("the estimator {} is unknown", json.at("estimator").dump()));
+        refuse(fmt::format("the estimator {} is unknown", json.at("estimator").dump()));
     setting.params = json.at("params").get<std::vector<double>>();
     if (setting.params.size() != setting.estimator->params.size())
-        throw InputError("the parameters are not those of the estimator");
+        refuse("the parameters are not those of the estimator");
     setting.maxDepth = json.at("depth").get<std::uint32_t>();
     setting.facets = json.at("facets").get<double>();
-    setting.index = static_cast<IndexMethod>(json.at("index").get<unsigned>());
+    const auto index = json.at("index").get<unsigned>();
+    if (index >= kIndexMethods.size()) refuse(fmt::format("the index {} is unknown", index));
+    setting.index = static_cast<IndexMethod>(index);  // with it the precision
     cell.name = json.at("name").get<std::string>();
     cell.complete = json.at("complete").get<bool>();
     cell.refusal = json.at("refusal").get<std::string>();
@@ -114,7 +117,7 @@ struct CellFile {
 };
 
 CellFile readCellFile(const fs::path& file) {
-    return readJson(file, [](const Json& json) {
+    return readJson(file, [&](const Json& json) {
         const Json& truth = json.at("truth");
         return CellFile{json.at("question"),
                         {truth.at("light").get<double>(), truth.at("relativeError").get<double>(),
@@ -122,7 +125,7 @@ CellFile readCellFile(const fs::path& file) {
                         truth.at("reference").get<std::string>(),
                         json.at("target").get<double>(),
                         json.at("number").get<std::size_t>(),
-                        cellFrom(json.at("cell"))};
+                        cellFrom(file, json.at("cell"))};
     });
 }
 
@@ -146,6 +149,7 @@ Json cellJson(const TradeCell& cell) {
     json["depth"] = cell.setting.maxDepth;
     json["facets"] = cell.setting.facets;
     json["index"] = static_cast<unsigned>(cell.setting.index);
+    json["precision"] = std::string(nameOf(kPrecisions, precisionOf(cell.setting.index)));
     json["complete"] = cell.complete;
     json["refusal"] = cell.refusal;
     if (!cell.measured()) return json;

@@ -64,6 +64,9 @@ void apply(const Sweep& sweep, const std::string& value, TradeSetting& setting) 
         setting.facets = numberArgument("--sweep: facets", value, kLeastFacets, kMostFacets);
     } else if (sweep.key == "index") {
         setting.index = namedArgument("--sweep: index", value, kIndexMethods);
+    } else if (sweep.key == "precision") {
+        if (namedArgument("--sweep: precision", value, kPrecisions) == Precision::single)
+            setting.index = IndexMethod::single;
     } else {
         const ParamValues given =
             paramArguments(*setting.estimator, {fmt::format("{}={}", sweep.key, value)});
@@ -73,7 +76,26 @@ void apply(const Sweep& sweep, const std::string& value, TradeSetting& setting) 
 }
 
 bool isOfScene(const Sweep& sweep) {
-    return sweep.key == "depth" || sweep.key == "facets" || sweep.key == "index";
+    return sweep.key == "depth" || sweep.key == "facets" || sweep.key == "index" || sweep.key == "precision";
+}
+
+bool hasValue(const Sweep& sweep, std::string_view value) {
+    return std::find(sweep.values.begin(), sweep.values.end(), value) != sweep.values.end();
+}
+
+/// Float is a way of its own to find walls: no other one has it.
+void refuseTwoWays(const Sweep& index, const Sweep& precision) {
+    const bool sameEstimator =
+        index.estimator.empty() || precision.estimator.empty() || index.estimator == precision.estimator;
+    const std::string single(nameOf(kIndexMethods, IndexMethod::single)),
+        automatic(nameOf(kIndexMethods, IndexMethod::automatic));
+    const bool both = hasValue(precision, nameOf(kPrecisions, Precision::single)) &&
+                      (index.values.size() > 1 || index.values[0] != automatic);
+    if (sameEstimator && (both || hasValue(index, single)))
+        failArgument("--sweep", precision.text,
+                     fmt::format("does not go with {}: every other index decides in double, expected one of "
+                                 "these two sweeps",
+                                 index.text));
 }
 
 /// Whether an estimator has what is swept.
@@ -134,6 +156,10 @@ std::vector<TradeSetting> tradeSettings(const std::string& estimators,
             if (sweeps[i].key == sweeps.back().key && sweeps[i].estimator == sweeps.back().estimator)
                 failArgument("--sweep", text,
                              "sweeps what another one does, expected all values in one list");
+        for (const Sweep& other : sweeps) {
+            if (other.key == "index" && sweeps.back().key == "precision") refuseTwoWays(other, sweeps.back());
+            if (other.key == "precision" && sweeps.back().key == "index") refuseTwoWays(sweeps.back(), other);
+        }
     }
     std::vector<TradeSetting> settings;
     for (const EstimatorInfo* info : estimatorsArgument(estimators)) {
@@ -151,7 +177,7 @@ std::vector<TradeSetting> tradeSettings(const std::string& estimators,
                 "--sweep", sweep.text,
                 fmt::format(
                     "sweeps what none of the estimators has; expected a parameter of one of them (halfdisk "
-                    "estimators tells them), depth, facets or index"));
+                    "estimators tells them), depth, facets, index or precision"));
     return settings;
 }
 

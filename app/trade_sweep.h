@@ -9,7 +9,8 @@
 namespace halfdisk {
 
 /// `all` or ids with commas; each sweep is `KEY=V1,V2,...`, several make a product. KEY is a parameter,
-/// ESTIMATOR.PARAMETER, depth, facets or index. Without sweeps: see defaultSettings. Throws InputError.
+/// ESTIMATOR.PARAMETER, depth, facets, index or precision. Without sweeps: see defaultSettings. Throws
+/// InputError.
 std::vector<TradeSetting> tradeSettings(const std::string& estimators, const std::vector<std::string>& sweeps,
                                         std::uint32_t maxDepth);
 

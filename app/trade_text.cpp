@@ -181,7 +181,7 @@ std::string reportCsv(const TradeReport& report) {
         "biasHigh,biased,exponent,exponentError,passesToTarget,raysToTarget,offRays,offRaysAtTarget,"
         "efficiencyPerRay,"
         "preparationSeconds,seconds,secondsToTarget,offSeconds,offSecondsAtTarget,efficiencyPerSecond,"
-        "nobodySeconds\n";
+        "nobodySeconds,precision\n";
     const auto number = [](const std::optional<double>& value) {
         return value && std::isfinite(*value) ? numberText(*value) : std::string();
     };
@@ -194,8 +194,9 @@ std::string reportCsv(const TradeReport& report) {
         const TradeCell& cell = report.cells[i];
         const TradeVerdict& verdict = report.verdicts[i];
         csv += fmt::format("{},{},{}", quoted(cell.name), cell.setting.estimator->id, quoted(cell.refusal));
+        const std::string_view precision = nameOf(kPrecisions, precisionOf(cell.setting.index));
         if (!cell.measured()) {
-            csv += std::string(25, ',') + '\n';
+            csv += fmt::format("{},{}\n", std::string(25, ','), precision);
             continue;
         }
         csv += fmt::format(",{},{}", cell.passes, cell.rays);
@@ -221,7 +222,7 @@ std::string reportCsv(const TradeReport& report) {
             add(verdict.offAtTarget[k]);
             add(verdict.efficiency[k]);
         }
-        csv += verdict.nobody ? ",1\n" : ",0\n";
+        csv += fmt::format(",{},{}\n", verdict.nobody ? 1 : 0, precision);
     }
     return csv;
 }

@@ -37,7 +37,9 @@ void check(const Scene& scene, std::size_t i) {
 }  // namespace
 
 SegmentIndex::SegmentIndex(const Scene& scene, IndexMethod method, const Kernels& kernels)
-    : scene_(&scene), method_(method), kernels_(&kernels) {
+    : scene_(&scene),
+      method_(method),
+      kernels_(method == IndexMethod::single ? &singleKernels(kernels) : &kernels) {
     edges_.reserve(scene.segments.size());
     for (std::size_t i = 0; i < scene.segments.size(); ++i) {
         check(scene, i);
@@ -61,13 +63,18 @@ SegmentIndex::SegmentIndex(const Scene& scene, IndexMethod method, const Kernels
              .segmentCount = static_cast<std::uint32_t>(scene.segments.size()),
              .frame = store_.frame,
              .mostShift = mostShift,
-             .shiftSlack = static_cast<float>(4.0 * mostShift * store_.frame.scale)};
+             .shiftSlack = static_cast<float>(4.0 * mostShift * store_.frame.scale),
+             .single = store_.single.data()};
 }
 
 void SegmentIndex::build() {
     const std::vector<Segment>& segments = scene_->segments;
     if (segments.empty()) method_ = IndexMethod::everyWall;  // the others take it that there are some
     if (method_ == IndexMethod::everyWall) return;
+    if (method_ == IndexMethod::single) {
+        store_ = buildSingle(segments);
+        return;
+    }
     if (method_ == IndexMethod::automatic && segments.size() > kMostByBruteForce) {
         method_ = IndexMethod::tree;
         if (segments.size() >= kLeastByGrid && gridWork(segments) <= kMostGridWork) {

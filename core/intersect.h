@@ -1,7 +1,8 @@
 // Which wall does a ray meet first, and is the way to a light free?
 //
 // Decided wall by wall in double precision (index/crossing.h); single precision and a tree of boxes only
-// spare walls that cannot be met.
+// spare walls that cannot be met. Only where it is asked for (IndexMethod::single) does single precision
+// decide.
 #pragma once
 
 #include <algorithm>

@@ -9,17 +9,12 @@
 #include <limits>
 #include <vector>
 
+#include "core/precision.h"
 #include "core/ray.h"
 #include "core/scene.h"
 #include "core/settings.h"
 
 namespace halfdisk {
-
-enum class Precision : std::uint8_t { single, twice };
-inline constexpr std::array<Named<Precision>, 2> kPrecisions{{
-    {Precision::single, "float", "24 bits, about 7 digits"},
-    {Precision::twice, "double", "53 bits, about 16 digits"},
-}};
 
 enum class EpsilonPolicy : std::uint8_t { none, fixed, relative, ours };
 inline constexpr std::array<Named<EpsilonPolicy>, 4> kEpsilonPolicies{{

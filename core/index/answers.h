@@ -7,6 +7,7 @@
 #include "core/index/few_walls.h"
 #include "core/index/kernels.h"
 #include "core/index/occlusion.h"
+#include "core/index/single.h"
 
 namespace halfdisk {
 namespace {
@@ -30,8 +31,18 @@ inline void answerFan(const IndexView& index, const Ray* rays, Hit* hits, std::s
     closestHitsFan(index, rays, hits, count);
 }
 
+inline void answerSingly(const IndexView& index, const Ray* rays, Hit* hits, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) new (hits + i) Hit(closestInSingle(index, rays[i]));
+}
+
 constexpr Kernels tableOf(InstructionSet instructions) {
     return {instructions, closestOfAll, occludedByAny, answerClosest, answerOccluded, answerBatch, answerFan};
+}
+
+/// closestOfAll stays, for scenes without walls.
+constexpr Kernels singleTableOf(InstructionSet instructions) {
+    return {instructions,     closestOfAll, occludedByAny, closestInSingle,
+            occludedInSingle, answerSingly, answerSingly};
 }
 
 }  // namespace

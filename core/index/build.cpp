@@ -48,6 +48,22 @@ void addFew(const std::vector<Segment>& segments, IndexStore& store) {
 
 }  // namespace
 
+IndexStore buildSingle(const std::vector<Segment>& segments) {
+    IndexStore store;
+    store.single.resize((segments.size() + kWidth - 1) / kWidth);
+    for (std::size_t i = 0; i < store.single.size() * kWidth; ++i) {
+        constexpr Vec2 kNone(std::numeric_limits<double>::quiet_NaN());
+        const bool isWall = i < segments.size();
+        const Vec2 a = isWall ? segments[i].a : kNone, b = isWall ? segments[i].b : kNone;
+        SingleWalls& walls = store.single[i / kWidth];
+        walls.ax[i % kWidth] = static_cast<float>(a.x);
+        walls.ay[i % kWidth] = static_cast<float>(a.y);
+        walls.bx[i % kWidth] = static_cast<float>(b.x);
+        walls.by[i % kWidth] = static_cast<float>(b.y);
+    }
+    return store;
+}
+
 void addBlock(const std::vector<Segment>& segments, std::span<const std::uint32_t> walls, IndexStore& store) {
     WallBlock& block = store.blocks.emplace_back();
     constexpr float kNone = std::numeric_limits<float>::quiet_NaN();

@@ -5,10 +5,10 @@
 
 namespace halfdisk {
 
-extern const Kernels kBaselineKernels;
+extern const Kernels kBaselineKernels, kBaselineSingleKernels;
 #ifdef HALFDISK_X86
-extern const Kernels kAvx2Kernels;
-extern const Kernels kAvx512Kernels;
+extern const Kernels kAvx2Kernels, kAvx2SingleKernels;
+extern const Kernels kAvx512Kernels, kAvx512SingleKernels;
 #endif
 
 }  // namespace halfdisk

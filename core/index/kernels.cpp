@@ -28,6 +28,14 @@ const Kernels* kernelsOf(InstructionSet instructions) {
     return instructions == InstructionSet::baseline ? &kBaselineKernels : nullptr;
 }
 
+const Kernels& singleKernels(const Kernels& kernels) {
+#ifdef HALFDISK_X86
+    if (kernels.instructions == InstructionSet::avx2) return kAvx2SingleKernels;
+    if (kernels.instructions == InstructionSet::avx512) return kAvx512SingleKernels;
+#endif
+    return kBaselineSingleKernels;
+}
+
 const Kernels& bestKernels() {
     for (const InstructionSet best : {InstructionSet::avx512, InstructionSet::avx2})
         if (isSupported(best)) return *kernelsOf(best);

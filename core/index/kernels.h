@@ -25,5 +25,7 @@ struct Kernels {
 const Kernels* kernelsOf(InstructionSet instructions);
 bool isSupported(InstructionSet instructions);
 const Kernels& bestKernels();
+/// The table whose answers are in single precision alone, by the same instructions.
+const Kernels& singleKernels(const Kernels& kernels);
 
 }  // namespace halfdisk

@@ -5,5 +5,6 @@
 namespace halfdisk {
 
 const Kernels kAvx2Kernels = tableOf(InstructionSet::avx2);
+const Kernels kAvx2SingleKernels = singleTableOf(InstructionSet::avx2);
 
 }  // namespace halfdisk

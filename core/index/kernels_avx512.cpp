@@ -5,5 +5,6 @@
 namespace halfdisk {
 
 const Kernels kAvx512Kernels = tableOf(InstructionSet::avx512);
+const Kernels kAvx512SingleKernels = singleTableOf(InstructionSet::avx512);
 
 }  // namespace halfdisk

@@ -5,5 +5,6 @@
 namespace halfdisk {
 
 const Kernels kBaselineKernels = tableOf(InstructionSet::baseline);
+const Kernels kBaselineSingleKernels = singleTableOf(InstructionSet::baseline);
 
 }  // namespace halfdisk

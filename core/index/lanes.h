@@ -199,6 +199,11 @@ template <class Join>
     return values[0];
 }
 
+/// The least of all lanes.
+inline float least(Floats values) {
+    return joined(values, [](Floats a, Floats b) { return min(a, b); });
+}
+
 /// The largest of all lanes.
 inline float most(Floats values) {
     return joined(values, [](Floats a, Floats b) { return max(a, b); });

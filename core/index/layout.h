@@ -1,9 +1,9 @@
 // What does the index keep of a scene? Single-precision copies of its walls in blocks, and a tree of boxes
 // over the blocks.
 //
-// Single precision only proposes walls; whether and where a ray meets one is decided in double precision from
-// the scene's own endpoints (crossing.h). So every method and every instruction set gives the same hits to
-// the bit, and neighbours that share a vertex leak nothing.
+// Single precision only proposes walls (but see single.h); whether and where a ray meets one is decided in
+// double precision from the scene's own endpoints (crossing.h). So every method and every instruction set
+// gives the same hits to the bit, and neighbours that share a vertex leak nothing.
 #pragma once
 
 #include <cstddef>
@@ -29,6 +29,12 @@ struct alignas(64) WallBlock {
 inline constexpr std::size_t kMostFew = 16;
 struct alignas(64) FewWalls {
     double ax[kMostFew], ay[kMostFew], bx[kMostFew], by[kMostFew];  ///< m
+};
+
+/// Walls as a tracer in float keeps them: in the scene's own coordinates, rounded. NaN where there is no
+/// wall.
+struct alignas(64) SingleWalls {
+    float ax[kWidth], ay[kWidth], bx[kWidth], by[kWidth];  ///< m
 };
 
 /// A child is a node, or a block if kLeaf is set.
@@ -80,6 +86,7 @@ struct IndexView {
     double mostShift;  ///< m, the largest originShift of all walls
     float shiftSlack;  ///< in the index's frame, how far apart a light and its wall, or coincident walls, may
                        ///< be
+    const SingleWalls* single;  ///< kWidth at a time, in the scene's order; none: see few and blocks
 };
 
 }  // namespace halfdisk

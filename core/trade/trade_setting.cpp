@@ -59,7 +59,9 @@ std::string nameOf(const TradeSetting& setting, std::uint32_t askedDepth) {
     }
     if (setting.maxDepth != askedDepth) add("depth", std::to_string(setting.maxDepth));
     if (setting.facets != 1.0) add("facets", textOf(setting.facets));
-    if (setting.index != IndexMethod::automatic)
+    if (precisionOf(setting.index) != Precision::twice)
+        add("precision", std::string(nameOf(kPrecisions, precisionOf(setting.index))));
+    else if (setting.index != IndexMethod::automatic)
         add("index", std::string(nameOf(kIndexMethods, setting.index)));
     return name;
 }

@@ -11,8 +11,8 @@ struct TradeSetting {
     const EstimatorInfo* estimator = nullptr;
     ParamValues params;
     std::uint32_t maxDepth = 0;
-    double facets = 1.0;  ///< factor on the number of facets of round things
-    IndexMethod index = IndexMethod::automatic;
+    double facets = 1.0;                         ///< factor on the number of facets of round things
+    IndexMethod index = IndexMethod::automatic;  ///< and with it the precision that decides what is met
 
     bool operator==(const TradeSetting&) const = default;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
 #include <sstream>
 
 #include "result_files.h"
@@ -175,6 +176,80 @@ TEST_CASE("trade: depth, facets and index are swept, and a depth that is missing
     CHECK(cellOf(trade, "light index=every wall")["variance"] == cellOf(trade, "light")["variance"]);
     CHECK(cellOf(trade, "light facets=0.125")["variance"] != cellOf(trade, "light")["variance"]);
     CHECK(cellOf(trade, "light depth=0")["bias2"][0] > 0.0);
+}
+
+TEST_CASE("trade: far from the origin float is biased for sure, double is not, and near it neither is") {
+    const TemporaryFolder folder;
+    const auto swept = [&](const std::string& scene, const std::string& name) {
+        const std::string out = folder / name;
+        const Outcome outcome =
+            runProgram({"trade", scene, "--width", "16", "--rays", "1000000", "--estimators", "path",
+                        "--sweep", "precision=double,float", "-o", out});
+        REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+        CHECK(outcome.out.find("path precision=float") != std::string::npos);
+        const std::string csv = readFile(fs::path(out) / "trade.csv");
+        CHECK(csv.find(",double\n") < csv.find(",float\n"));
+        CHECK(csv.find(",float\n") != std::string::npos);
+        const Json trade = tradeOf(out);
+        CHECK(trade["cells"].size() == 2);
+        CHECK(cellOf(trade, "path")["precision"] == "double");
+        CHECK(cellOf(trade, "path precision=float")["precision"] == "float");
+        CHECK(cellOf(trade, "path")["biased"] == false);
+        return trade;
+    };
+    const Json far = swept(sceneFile("far_room.toml"), "far");
+    CHECK(cellOf(far, "path precision=float")["biased"] == true);
+    // By their intervals: from its lower end, and to its upper one.
+    CHECK(cellOf(far, "path precision=float")["relativeBias"][1] >
+          2.0 * cellOf(far, "path")["relativeBias"][2].get<double>());
+    const Json near = swept(shippedScene("diffuse_room.toml"), "near");
+    CHECK(cellOf(near, "path precision=float")["biased"] == false);
+    // Nearly the same rays, but not to the bit.
+    CHECK(cellOf(near, "path precision=float")["mean"] != cellOf(near, "path")["mean"]);
+    CHECK(cellOf(near, "path precision=float")["mean"].get<double>() ==
+          doctest::Approx(cellOf(near, "path")["mean"].get<double>()).epsilon(1e-3));
+}
+
+TEST_CASE("trade: a lamp that lies on the ceiling is found in float as in double, by every estimator") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "room";
+    const Outcome outcome =
+        runProgram({"trade", shippedScene("diffuse_room.toml"), "--width", "8", "--rays", "20000",
+                    "--estimators", "all", "--sweep", "precision=float,double", "-o", out});
+    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+    const Json trade = tradeOf(out);
+    int compared = 0;
+    for (const Json& cell : trade["cells"]) {
+        const std::string name = cell["name"];
+        if (name.find("precision") != std::string::npos || cell["refusal"] != "") continue;
+        INFO(name);
+        // The same random numbers, so nearly the same paths.
+        const double mean = cellOf(trade, name + " precision=float")["mean"];
+        CHECK(mean == doctest::Approx(cell["mean"].get<double>()).epsilon(0.01));
+        ++compared;
+    }
+    CHECK(compared >= 6);
+}
+
+TEST_CASE("trade: a folder from before precisions could be swept goes on, an unknown index is refused") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "room";
+    const std::vector<std::string> arguments = smallTrade({"--sweep", "index=automatic", "-o", out});
+    REQUIRE(runProgram(arguments).exitCode == 0);
+    const fs::path file = fs::path(out) / "cells" / "0001.json";
+    Json older = readJson(file);
+    const auto write = [&] { std::ofstream(file) << older; };
+    older["cell"].erase("precision");
+    older["cell"]["seconds"] = 123.0;
+    write();
+    REQUIRE(runProgram(arguments).exitCode == 0);
+    CHECK(cellOf(tradeOf(out), older["cell"]["name"])["seconds"] == 123.0);  // not measured again
+    CHECK(cellOf(tradeOf(out), older["cell"]["name"])["precision"] == "double");
+    older["cell"]["index"] = 99;
+    write();
+    const Outcome refused = runProgram(arguments);
+    CHECK(refused.exitCode == 2);
+    CHECK(refused.err.find("0001.json: the index 99 is unknown") != std::string::npos);
 }
 
 TEST_CASE("trade: a reference of one's own is used, with its error") {

@@ -37,6 +37,11 @@ TEST_CASE("trade refused: estimators and sweeps") {
     checkTradeRefused({"--sweep", "radiosity.patches=0"}, "patches");
     checkTradeRefused({"--sweep", "facets=0"}, "facets");
     checkTradeRefused({"--sweep", "index=fast"}, "every wall");
+    checkTradeRefused({"--sweep", "precision=half"}, "expected one of \"float\" or \"double\"");
+    checkTradeRefused({"--sweep", "precision=float,double", "--sweep", "index=automatic,tree"},
+                      "'precision=float,double' does not go with index=automatic,tree");
+    checkTradeRefused({"--sweep", "path.index=grid", "--sweep", "precision=float"}, "does not go with");
+    checkTradeRefused({"--sweep", "index=single", "--sweep", "precision=double"}, "does not go with");
     checkTradeRefused({"--sweep", "photon-map.shrink=0.5"}, "passes then are not alike");
 }
 

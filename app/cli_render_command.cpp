@@ -11,6 +11,7 @@
 #include "app/render_output.h"
 #include "app/render_report.h"
 #include "app/requirements_text.h"
+#include "app/scene_hash.h"
 #include "app/tone.h"
 #include "lessons/scene_file.h"
 
@@ -26,7 +27,9 @@ void take(const Plan& plan, RenderRequest& request) {
 
 int runRender(PictureSensor sensor, const RenderTexts& texts) {
     RenderRequest request = renderRequest(sensor, texts);
-    const Scene scene = expandScene(loadScene(texts.scene));
+    const SceneDescription description = loadScene(texts.scene);
+    request.sceneHash = sceneHash(description);
+    const Scene scene = expandScene(description);
     const SegmentIndex index(scene, request.plan.indexMethod());
     const PictureOf picture = pictureOf(request, scene);
     refuseTooManySamples(request, pixelCount(picture.sensor));

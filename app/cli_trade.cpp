@@ -10,6 +10,7 @@
 #include "app/interruption.h"
 #include "app/progress_bar.h"
 #include "app/trade_plots.h"
+#include "app/trade_reference_file.h"
 #include "app/trade_request.h"
 #include "app/trade_text.h"
 #include "lessons/atomic_file.h"
@@ -81,7 +82,8 @@ class TradeJob {
     TradeReference newReference(const Problem& problem) {
         if (request_.texts.reference != "auto") {
             const bool strip = !std::holds_alternative<Field>(problem.sensor);
-            return referenceFromFile(request_.texts.reference, pixelCount(problem.sensor), strip);
+            return referenceFromFile(request_.texts.reference,
+                                     {pixelCount(problem.sensor), strip, pictureFacts(request_)});
         }
         if (auto exact = exactReference(problem)) return std::move(*exact);
         PassBudget budget = request_.budget;

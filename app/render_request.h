@@ -50,7 +50,8 @@ struct RenderTexts {
 
 struct RenderRequest {
     PictureSensor sensor = PictureSensor::eye;
-    RenderTexts texts;  ///< what the sensor is made from, once the scene is there
+    RenderTexts texts;      ///< what the sensor is made from, once the scene is there
+    std::string sceneHash;  ///< see there; once the scene is there
     const EstimatorInfo* estimator = nullptr;
     ParamValues params;
     std::uint32_t maxDepth = 0, maxSpecular = 0;

@@ -50,6 +50,7 @@ Json resultFacts(const RenderResult& result) {
     facts["program"] = fmt::format("halfdisk {}", kVersion);
     facts["command"] = commandFor(request, film.passes, result.picture.width, result.picture.height);
     facts["scene"] = request.texts.scene;
+    facts["sceneHash"] = request.sceneHash;
     facts["sensor"] = sensor;
     facts[sensor] = sensorFacts(result.picture, result.index);
     facts["unit"] = std::string(unitOf(request.sensor));

@@ -10,7 +10,6 @@
 #include <iterator>
 
 #include "app/estimator_arguments.h"
-#include "app/pfm_image.h"
 #include "lessons/atomic_file.h"
 #include "lessons/input_error.h"
 
@@ -48,8 +47,8 @@ auto readJson(const fs::path& file, const Read& read) {
     if (!stream) throw InputError(file.string(), "cannot be read");
     try {
         return read(Json::parse(bytes));
-    } catch (const Json::exception& error) {
-        throw InputError(file.string(), fmt::format("is not what halfdisk trade wrote: {}", error.what()));
+    } catch (const Json::exception&) {
+        throw InputError(file.string(), "is damaged, or not what halfdisk trade wrote");
     }
 }
 
@@ -258,44 +257,6 @@ TradeFolder mergedFolders(const std::vector<fs::path>& folders) {
         }
     }
     return merged;
-}
-
-TradeReference referenceFromFile(const fs::path& file, std::uint32_t pixels, bool strip) {
-    TradeReference reference;
-    reference.how = fmt::format("from {}", file.string());
-    if (file.extension() == ".pfm") {
-        std::ifstream stream(file, std::ios::binary);
-        const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-        if (!stream) throw InputError(file.string(), "cannot be read");
-        try {
-            const LinearImage image = decodePfm(bytes);
-            reference.mean = image.pixels;
-            if (strip && reference.mean.size() > image.width) reference.mean.resize(image.width);
-        } catch (const std::runtime_error& error) {
-            throw InputError(file.string(), error.what());
-        }
-    } else {
-        readJson(file, [&](const Json& json) {
-            reference.mean = pictureFrom(json.at("mean"));
-            const Json& errors = json.at("standardError");
-            if (std::any_of(errors.begin(), errors.end(), [](const Json& error) { return error.is_null(); }))
-                throw InputError(file.string(),
-                                 "has pixels without standard error, expected two samples or more");
-            reference.standardError = pictureFrom(errors);
-            return 0;
-        });
-    }
-    if (reference.mean.size() != pixels)
-        throw InputError(file.string(),
-                         fmt::format("has {} pixels, expected {} as is asked (--width, --height)",
-                                     reference.mean.size(), pixels));
-    double squares = 0.0;
-    for (const Rgb& pixel : reference.mean)
-        if (!isFinite(pixel)) throw InputError(file.string(), "has a pixel that is no number");
-    for (const Rgb& error : reference.standardError) squares += glm::dot(error, error) / (3.0 * pixels);
-    const double light = reference.light();
-    if (light > 0.0) reference.relativeError = std::sqrt(squares) / light;
-    return reference;
 }
 
 }  // namespace halfdisk

@@ -38,8 +38,4 @@ void writeReference(const std::filesystem::path& folder, const Json& question,
 /// All cells of several folders together. Throws InputError where they answer different questions, or none.
 TradeFolder mergedFolders(const std::vector<std::filesystem::path>& folders);
 
-/// A reference from what `halfdisk eye`, `profile` or `field` wrote: .json with its standard errors, or .pfm
-/// (a strip's first row). Throws InputError, also for another number of pixels.
-TradeReference referenceFromFile(const std::filesystem::path& file, std::uint32_t pixels, bool strip);
-
 }  // namespace halfdisk

@@ -10,6 +10,7 @@
 #include "app/cli_arguments.h"
 #include "app/cli_probe.h"
 #include "app/estimator_arguments.h"
+#include "app/scene_hash.h"
 #include "app/trade_sweep.h"
 
 namespace halfdisk {
@@ -174,6 +175,9 @@ TradeRequest tradeRequest(const TradeTexts& texts) {
     request.sensorName = sensorNameOf(texts, scene);
     refuseForeignOptions(texts, request.sensorName);
     request.settings = tradeSettings(texts.estimators, texts.sweeps, request.maxDepth);
+    // The truth is the deepest of what is compared: else the setting nearest to it would be called biased.
+    for (const TradeSetting& setting : request.settings)
+        request.maxDepth = std::max(request.maxDepth, setting.maxDepth);
     prepareScenes(request);
     // Those that do not serve the sensor are no choice at all; other refusals are told.
     const unsigned bit = bitOf(request.asked().sensor);
@@ -187,18 +191,25 @@ TradeRequest tradeRequest(const TradeTexts& texts) {
     return request;
 }
 
+Json pictureFacts(const TradeRequest& request) {
+    const TradeScene& scene = request.asked();
+    Json facts{{"sceneHash", sceneHash(request.description)},
+               {"depth", request.maxDepth},
+               {"specular", request.maxSpecular}};
+    if (request.sensorName == kProbeName) return facts;
+    facts["sensor"] = request.sensorName;
+    facts[request.sensorName] = sensorFacts({scene.sensor, 0, 0}, scene.index);
+    return facts;
+}
+
 Json questionJson(const TradeRequest& request) {
-    // FNV-1a: two scenes that differ have other texts, and one that only moved keeps its own.
-    const std::string scene = writeScene(request.description);
-    std::uint64_t hash = 0xcbf29ce484222325;
-    for (const char c : scene) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
     const TradeTexts& texts = request.texts;
     const auto given = [](const std::optional<std::string>& text) {
         return text ? Json(*text) : Json(nullptr);
     };
     Json question;
     question["program"] = fmt::format("halfdisk {}", kVersion);
-    question["scene"] = fmt::format("{:016x}", hash);
+    question["scene"] = sceneHash(request.description);
     question["sensor"] = request.sensorName;
     question["walls"] = given(texts.walls);
     question["at"] = given(texts.at);

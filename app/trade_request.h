@@ -67,6 +67,9 @@ struct TradeRequest {
 /// Loads the scene too. Throws InputError.
 TradeRequest tradeRequest(const TradeTexts& texts);
 
+/// What is asked for, as the files of `halfdisk eye` and the like tell it: by it a reference is known.
+Json pictureFacts(const TradeRequest& request);
+
 /// All on which the measured numbers depend, for files: what differs is another question.
 Json questionJson(const TradeRequest& request);
 

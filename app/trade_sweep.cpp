@@ -56,6 +56,17 @@ bool hasParam(const EstimatorInfo& info, std::string_view name) {
                        [&](const ParamInfo& param) { return param.name == name; });
 }
 
+/// Refused in the name of the sweep.
+ParamValues sweptParam(const Sweep& sweep, const std::string& value, const EstimatorInfo& info) {
+    try {
+        return paramArguments(info, {fmt::format("{}={}", sweep.key, value)});
+    } catch (const InputError& refused) {
+        const std::size_t option = refused.text.find(": ");
+        throw InputError(
+            fmt::format("--sweep{}", refused.text.substr(std::min(option, refused.text.size()))));
+    }
+}
+
 /// One of a sweep's values put into a setting.
 void apply(const Sweep& sweep, const std::string& value, TradeSetting& setting) {
     if (sweep.key == "depth") {
@@ -68,8 +79,7 @@ void apply(const Sweep& sweep, const std::string& value, TradeSetting& setting) 
         if (namedArgument("--sweep: precision", value, kPrecisions) == Precision::single)
             setting.index = IndexMethod::single;
     } else {
-        const ParamValues given =
-            paramArguments(*setting.estimator, {fmt::format("{}={}", sweep.key, value)});
+        const ParamValues given = sweptParam(sweep, value, *setting.estimator);
         for (std::size_t i = 0; i < given.size(); ++i)
             if (setting.estimator->params[i].name == sweep.key) setting.params[i] = given[i];
     }
@@ -111,7 +121,12 @@ std::vector<const EstimatorInfo*> estimatorsArgument(const std::string& text) {
         return infos;
     }
     for (const std::string& id : splitAtCommas(text)) {
-        const EstimatorInfo& info = estimatorArgument(id);
+        if (!findEstimator(id)) {
+            std::vector<std::string_view> ids{"all"};
+            for (const EstimatorInfo* info : estimators()) ids.push_back(info->id);
+            failArgument("--estimators", id, fmt::format("is unknown, {}", expectedOneOf(id, ids)));
+        }
+        const EstimatorInfo& info = *findEstimator(id);
         if (std::find(infos.begin(), infos.end(), &info) != infos.end())
             failArgument("--estimators", text, fmt::format("names {} twice", id));
         infos.push_back(&info);

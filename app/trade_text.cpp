@@ -97,6 +97,10 @@ std::string crossingsText(const TradeReport& report, const Named<TradeCost>& cos
 }
 
 /// What to choose for the target.
+std::string times(std::uint32_t count) {
+    return fmt::format("{} time{}", count, count == 1 ? "" : "s");
+}
+
 std::string choiceText(const TradeReport& report) {
     const auto choice = choose(report, {TradeCost::rays, report.target});
     const std::string wish = percent(report.target);
@@ -107,6 +111,13 @@ std::string choiceText(const TradeReport& report) {
     if (choice->runnerUp)
         text += fmt::format("; the best of another estimator, {}, takes {:.3g} times the rays",
                             report.cells[*choice->runnerUp].name, choice->runnerUpFactor);
+    const auto cheaper = cheapest(report, report.target, TradeCost::rays);
+    if (cheaper && cheaper->cell != choice->cell)
+        text += fmt::format(
+            "\n  ({} would take {:.3g} rays, but is not trusted: with what is not known yet, its "
+            "bias may be {})",
+            report.cells[cheaper->cell].name, cheaper->cost,
+            percent(report.verdicts[cheaper->cell].biasHigh));
     return text + '\n';
 }
 
@@ -228,8 +239,9 @@ std::string reportCsv(const TradeReport& report) {
 }
 
 std::string reportText(const TradeFolder& trade, const TradeReport& report) {
-    std::string text = fmt::format("reference: {}; its error {} of the light, {:.4g}\n", trade.referenceWords,
-                                   percent(report.truth.relativeError), report.truth.light);
+    std::string text = fmt::format("reference: {}; its error {} of the light, {:.4g}; scattered at most {}\n",
+                                   trade.referenceWords, percent(report.truth.relativeError),
+                                   report.truth.light, times(report.truth.askedDepth));
     if (!(report.truth.light > 0.0))
         return text + "no light reaches the sensor: no error is relative to anything\n";
     std::size_t width = 20;

@@ -59,7 +59,7 @@ Uncertain varianceOf(const PassGroups& groups) {
     return statisticsOf(groups, own).variance;
 }
 
-TradeReference ofRun(const EstimatorInfo& info, const GroupedPasses& run) {
+TradeReference ofRun(const EstimatorInfo& info, const GroupedPasses& run, std::uint32_t maxSpecular) {
     TradeReference reference;
     reference.groups = run.groups.means;
     reference.mean = meanOf(reference.groups);
@@ -68,6 +68,10 @@ TradeReference ofRun(const EstimatorInfo& info, const GroupedPasses& run) {
     reference.relativeError = light > 0.0 ? std::sqrt(variance) / light : 0.0;
     reference.how = std::string(info.id) + ", " + std::to_string(run.groups.passes()) +
                     " passes of another seed, " + std::to_string(run.counts.rays) + " rays";
+    if (run.counts.cut > 0)
+        reference.how += "; " + std::to_string(run.counts.cut) + " of " + std::to_string(run.counts.paths) +
+                         " paths were given up after " + std::to_string(maxSpecular) +
+                         " mirror and glass events: their light is missing";
     return reference;
 }
 
@@ -167,7 +171,7 @@ TradeReference longRun(const Problem& problem, const PassBudget& budget) {
     const auto estimator = best->make(other, params);
     const GroupedPasses run = runGroups(*estimator, pixelCount(problem.sensor), {}, budget, problem.stop);
     if (run.interrupted) throw Stopped();
-    return ofRun(*best, run);
+    return ofRun(*best, run, problem.maxSpecular);
 }
 
 }  // namespace halfdisk

@@ -268,7 +268,36 @@ TEST_CASE("trade: a reference of one's own is used, with its error") {
     const Outcome other =
         runProgram({"trade", shippedScene("diffuse_room.toml"), "--width", "9", "--reference", file});
     CHECK(other.exitCode == 2);
-    CHECK(other.err.find("has 8 pixels, expected 9") != std::string::npos);
+    CHECK(other.err.find("= {") != std::string::npos);  // its eye has another width
+
+    // A picture of something else is no truth.
+    const auto refused = [&](const std::vector<std::string>& changed, const std::string& scene,
+                             const char* why) {
+        const std::string picture = folder / "other.json";
+        std::vector<std::string> arguments{
+            "eye", shippedScene(scene.c_str()), "--width", "8", "--samples", "2", "-o", picture};
+        arguments.insert(arguments.end(), changed.begin(), changed.end());
+        REQUIRE(runProgram(arguments).exitCode == 0);
+        const Outcome said = runProgram(smallTrade({"--reference", picture}));
+        CHECK(said.exitCode == 2);
+        CHECK_MESSAGE(said.err.find(why) != std::string::npos, said.err);
+    };
+    refused({"--depth", "0"}, "diffuse_room.toml", "depth = 0, expected 1");
+    refused({"--fov", "20"}, "diffuse_room.toml", "is a picture with eye = ");
+    refused({}, "small_lamp_room.toml", "is a picture of another scene");
+}
+
+TEST_CASE("trade: the truth is the deepest that is compared") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "depths";
+    const Outcome outcome = runProgram({"trade", shippedScene("diffuse_room.toml"), "--width", "8", "--rays",
+                                        "20000", "--estimators", "path", "--sweep", "depth=0,3", "-o", out});
+    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+    const Json trade = tradeOf(out);
+    CHECK(cellOf(trade, "path")["depth"] == 3);
+    CHECK(cellOf(trade, "path")["biased"] == false);
+    CHECK(cellOf(trade, "path depth=0")["biased"] == true);
+    CHECK(outcome.out.find("scattered at most 3 times") != std::string::npos);
 }
 
 TEST_CASE("trade: castRay is a hundred times off the front where a small lamp shines through glass") {

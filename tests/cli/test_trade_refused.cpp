@@ -56,7 +56,7 @@ TEST_CASE("trade refused: sensors, parts and references") {
     const TemporaryFolder folder;
     const std::string file = folder / "x.json";
     std::ofstream(file) << "{\"mean\": 3}";
-    checkTradeRefused({"--reference", file}, "is not what halfdisk");
+    checkTradeRefused({"--reference", file}, "is not what halfdisk eye, profile or field wrote");
     // Light of a lamp without size, through glass, to an eye: nobody carries it all.
     std::ofstream(folder / "s.toml")
         << "[material.glass]\ntype = 'dielectric'\n[[circle]]\ncenter = [0.0, 1.0]\nradius = 0.3\n"

@@ -41,7 +41,7 @@ void drawExtremes(const Canvas& canvas) {
     }
     for (const LostRay& ray : dial->chosen.lost)
         drawLostMark(canvas.list, palette, ray.how,
-                     canvas.screen(ray.how == LostRay::How::leak ? ray.to : ray.from), canvas.px(3.5f));
+                     canvas.screen(ray.how == LostRay::How::leak ? ray.to : ray.from), canvas.px(3.0f));
 }
 
 }  // namespace halfdisk

@@ -84,9 +84,12 @@ int runExtremes(const ExtremesTexts& texts) {
         object["complete"] = !stopped;
         writeJson(object);
     } else {
-        writeOutput(extremesText(lines, cells.size()));
+        if (!lines.empty()) writeOutput(extremesText(lines, cells.size()));
     }
-    if (stopped) return kExitStopped;
+    if (stopped) {
+        writeError(fmt::format("stopped after {} of {} lines", lines.size(), cells.size()));
+        return kExitStopped;
+    }
     const bool all =
         std::all_of(lines.begin(), lines.end(), [](const ExtremeLine& line) { return line.holds; });
     return all ? kExitSuccess : kExitFailure;

@@ -130,7 +130,8 @@ Json sceneJson(const SceneCounts& counts) {
 }
 
 std::string counted(std::uint64_t count, std::string_view noun) {
-    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+    const std::string_view plural = noun.ends_with("x") || noun.ends_with("s") ? "es" : "s";
+    return fmt::format("{} {}{}", count, noun, count == 1 ? "" : plural);
 }
 
 std::string tableOf(const SceneCounts& counts) {
@@ -151,18 +152,18 @@ std::string tableOf(const SceneCounts& counts) {
     table += fmt::format("  {:<11} found by {}, {}\n", "", nameOf(kIndexMethods, counts.method),
                          nameOf(kInstructionSets, counts.instructions));
     table += fmt::format("  {:<11} {}\n", "precision", precisionWords(counts.inFloat));
-    table += fmt::format("  {:<11} {}\n", "materials", materials);
+    table += fmt::format("  {:<11} {}\n", "materials", materials.empty() ? "none" : materials);
     table += fmt::format("  {:<11} {}\n", "lights", lights);
     table += fmt::format("  {:<11} {}\n", "emitters", counted(counts.emitters, "segment"));
     table += fmt::format("  {:<11} {}\n", "environment", counts.environment);
     if (counts.eye)
-        table +=
-            fmt::format("  {:<11} at {:g}, {:g}\n", "eye", counts.eye->position.x, counts.eye->position.y);
+        table += fmt::format("  {:<11} at {:.9g}, {:.9g}\n", "eye", counts.eye->position.x,
+                             counts.eye->position.y);
     for (const std::string& lamp : counts.hidden) table += fmt::format("  {:<11} {}\n", "WARNING", lamp);
     if (counts.bounds) {
         const auto& [min, max] = *counts.bounds;
-        table += fmt::format("  {:<11} x {:g} to {:g} m, y {:g} to {:g} m\n", "bounds", min.x, max.x, min.y,
-                             max.y);
+        table += fmt::format("  {:<11} x {:.9g} to {:.9g} m, y {:.9g} to {:.9g} m\n", "bounds", min.x, max.x,
+                             min.y, max.y);
     }
     return table;
 }

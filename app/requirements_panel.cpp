@@ -183,11 +183,9 @@ void settings(const Ui& ui) {
 void head(const Ui& ui) {
     const InstrumentAnswers* answers = ui.state.answer ? &ui.state.answer->instruments : nullptr;
     const bool refused = answers && !answers->requirementsRefusal.empty();
-    ImGui::PushFont(ui.fonts.strong);
     ImGui::PushStyleColor(ImGuiCol_Text, refused ? ui.palette.error : ui.palette.ink);
     textWrapped(ui.widgets, advice(ui.state));
     ImGui::PopStyleColor();
-    ImGui::PopFont();
     settings(ui);
     const std::string lacks = adviceLacks(ui.state), forced = forcedWords(ui.state);
     if (!lacks.empty()) textWrapped(ui.widgets, lacks);
@@ -201,8 +199,10 @@ void head(const Ui& ui) {
 
 void requirementsPanel(const Ui& ui, ImVec2 size) {
     beginChild("requirements", size, false);
+    ImGui::PushFont(ui.fonts.strong);
     text(ui.widgets,
          firstThatFits({drawingTitle(ui.state, "requirements")}, ImGui::GetContentRegionAvail().x));
+    ImGui::PopFont();
     const bool apart = size.y > kHigh * ui.scale && size.x > kWide * ui.scale;
     head(ui);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6 * ui.scale, 4 * ui.scale});

@@ -55,10 +55,12 @@ auto readJson(const fs::path& file, const Read& read) {
 /// What the first differing key is, in words.
 std::string differenceOf(const Json& here, const Json& asked) {
     for (const auto& item : asked.items())
-        if (!here.contains(item.key()) || here[item.key()] != item.value())
+        if (!here.contains(item.key()) || here[item.key()] != item.value()) {
+            if (item.key() == "settings") return "it compares other settings (--estimators, --sweep)";
             return fmt::format("its {} is {}, not {}", item.key(),
                                here.contains(item.key()) ? here[item.key()].dump() : "unknown",
                                item.value().dump());
+        }
     return "it is about something else";
 }
 

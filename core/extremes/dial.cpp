@@ -6,7 +6,7 @@ namespace halfdisk {
 namespace {
 
 constexpr double kMostWallsTried = 2e5;
-constexpr std::size_t kKept = 60;  // as many as can be told apart on a screen
+constexpr std::size_t kKept = 24;  // as many as can be told apart on a screen
 
 }  // namespace
 

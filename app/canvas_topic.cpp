@@ -12,12 +12,12 @@ void drawRays(const Canvas& canvas, EventKind kind, bool below) {
     if (!state.answer || !state.answer->record || state.answer->pathRun) return;
     const auto& events = state.answer->record->events;
     const RecordSummary& summary = state.answer->summary;
-    constexpr std::size_t kMostDrawn = 400;
+    constexpr std::size_t kMostHits = 400;
     const std::vector<std::uint32_t>& indices = below ? summary.deeper : summary.atP;
     std::size_t drawn = 0;
     for (const std::uint32_t i : indices) {
         const Event& event = events[i];
-        if (event.kind != kind || drawn++ >= kMostDrawn) continue;
+        if (event.kind != kind || drawn++ >= kMostHits) continue;
         const Vec2 to = event.missed ? canvas.farAlong(event.from, event.direction) : event.to;
         canvas.line(event.from, to, withOpacity(canvas.ui.palette.accent, 0.8f), canvas.px(3));
     }

@@ -4,6 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <functional>
+#include <string>
+
+#include "core/settings.h"
 
 namespace halfdisk {
 
@@ -26,6 +29,9 @@ void addVerifyCommand(CLI::App& app, Action& chosen, std::filesystem::path& less
 
 /// `--lessons DIR`, before or after the subcommand.
 void addLessonsFolder(CLI::App& command, std::filesystem::path& lessonsFolder);
+
+/// An option of the number's name, whose value is told by `letter` in the help.
+void addNumber(CLI::App& command, const NumberInfo& info, const char* letter, std::string& text);
 
 /// `--language CODE` of what the window shows; the command line itself speaks English.
 void addLanguage(CLI::App& command, std::string& language);

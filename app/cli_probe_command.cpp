@@ -111,12 +111,6 @@ Examples:
         describedNames(kDefects));
 }
 
-void addNumber(CLI::App& command, const NumberInfo& info, const char* letter, std::string& text) {
-    command.add_option(fmt::format("--{}", info.name), text, std::string(info.meaning))
-        ->type_name(letter)
-        ->capture_default_str();
-}
-
 template <class Table>
 void addChoice(CLI::App& command, const std::string& option, std::string_view meaning, const Table& table,
                std::string_view initial, std::optional<std::string>& text) {

@@ -24,9 +24,10 @@ Rgb distanceInErrors(const Rgb& estimate, const Rgb& exact, const Rgb& standardE
         constexpr double kRounding = 1e-9;
         const double difference = estimate[i] - exact[i];
         if (std::abs(difference) <= kRounding * std::abs(exact[i])) continue;
-        constexpr double kDigits = 100.0;
-        distance[i] = standardError[i] > 0.0 ? std::round(kDigits * difference / standardError[i]) / kDigits
-                                             : std::nan("");
+        constexpr double kHundredths = 100.0;
+        distance[i] = standardError[i] > 0.0
+                          ? std::round(kHundredths * difference / standardError[i]) / kHundredths
+                          : std::nan("");
     }
     return distance;
 }

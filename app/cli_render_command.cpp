@@ -68,12 +68,6 @@ int runRender(PictureSensor sensor, const RenderTexts& texts) {
     return measurement.interrupted ? kExitStopped : kExitSuccess;
 }
 
-void addNumber(CLI::App& command, const NumberInfo& info, const char* letter, std::string& text) {
-    command.add_option(fmt::format("--{}", info.name), text, std::string(info.meaning))
-        ->type_name(letter)
-        ->capture_default_str();
-}
-
 void addSensorOptions(CLI::App& command, PictureSensor sensor, RenderTexts& texts) {
     switch (sensor) {
         case PictureSensor::eye:

@@ -247,7 +247,7 @@ void addQuestionOptions(CLI::App& command, TradeTexts& texts) {
         ->type_name("I/N");
 }
 
-constexpr const char* kFooter =
+constexpr const char* kTradeFooter =
     "Every setting gets the same budget and is held against the exact light, or a long run of an estimator "
     "that leaves "
     "nothing out (its own error is told and counted in). bias: of the picture that endless passes would "
@@ -283,7 +283,7 @@ void addTradeCommand(CLI::App& app, Action& chosen) {
     command->add_flag("--json", texts->json, "print one JSON object");
     command->require_subcommand(0, 1);
     addMerge(*command, chosen);
-    command->footer(kFooter);
+    command->footer(kTradeFooter);
     command->callback([&chosen, texts, command] {
         if (!command->get_subcommands().empty()) return;
         chosen = [texts] {

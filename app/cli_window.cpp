@@ -35,6 +35,12 @@ void addLessonsFolder(CLI::App& command, std::filesystem::path& lessonsFolder) {
         ->capture_default_str();
 }
 
+void addNumber(CLI::App& command, const NumberInfo& info, const char* letter, std::string& text) {
+    command.add_option(fmt::format("--{}", info.name), text, std::string(info.meaning))
+        ->type_name(letter)
+        ->capture_default_str();
+}
+
 void addWindowCommand(CLI::App& app, Action& chosen, std::filesystem::path& lessonsFolder) {
     const auto texts = std::make_shared<WindowTexts>();
     addOpening(app, texts->opening);

@@ -23,7 +23,7 @@
 namespace halfdisk {
 namespace {
 
-constexpr double kDegrees = 180.0 / kPi;
+constexpr double kDegreesPerRadian = 180.0 / kPi;
 constexpr std::size_t kParts = 8;
 
 /// The mean of each of so many equal parts of a row.
@@ -66,7 +66,7 @@ std::string integrandWords(const AppState& state) {
     });
     std::vector<double> values;
     for (auto p = points.rbegin(); p != points.rend(); ++p) values.push_back(gray(p->radiance));
-    const auto angle = [](const IntegrandPoint& p) { return 90.0 - p.theta * kDegrees; };
+    const auto angle = [](const IntegrandPoint& p) { return 90.0 - p.theta * kDegreesPerRadian; };
     return say(
         "Light L against the angle from the normal, -90 to 90 degrees (positive to the right): from {} to {} "
         "W/(m rad), most at {:.0f} degrees. Weighed by the cosine, most is {} at {:.0f} degrees.\n"

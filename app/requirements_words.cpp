@@ -146,8 +146,8 @@ const RequirementsAnswer* knownRequirements(const AppState& state) {
 }
 
 std::string_view groundWord(Ground ground) {
-    constexpr std::array<std::string_view, 3> kGrounds{"proof", "measurement", "force"};
-    return kGrounds[static_cast<std::size_t>(ground)];
+    constexpr std::array<std::string_view, 3> kGroundWords{"proof", "measurement", "force"};
+    return kGroundWords[static_cast<std::size_t>(ground)];
 }
 
 std::optional<std::uint32_t> forcedValue(const InstrumentSettings& settings, RequirementId id) {

@@ -45,13 +45,13 @@ void dial(const Ui& ui) {
     ImGui::SameLine(0.0f, gap);
     ImGui::PushItemWidth(ImGui::GetContentRegionAvail().x);
     if (settings.wish == Wish::error) {
-        constexpr double kPercent = 100.0;
-        double percent = kPercent * settings.wishedError;
+        constexpr double kInPercent = 100.0;
+        double percent = kInPercent * settings.wishedError;
         const std::string format(tr("I want %.3g %%"));
         if (dragNumber<double>(
                 ui.widgets, "##dial", percent,
-                dialRange(kPercent * kLeastWishedError, kPercent * kMostWishedError, format.c_str())))
-            settings.wishedError = std::clamp(percent / kPercent, kLeastWishedError, kMostWishedError);
+                dialRange(kInPercent * kLeastWishedError, kInPercent * kMostWishedError, format.c_str())))
+            settings.wishedError = std::clamp(percent / kInPercent, kLeastWishedError, kMostWishedError);
         tooltip("Drag: the error that is wished for, as a share of the light.");
     } else {
         const std::string format(tr("I have %.3g ms"));

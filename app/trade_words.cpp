@@ -13,10 +13,10 @@
 namespace halfdisk {
 namespace {
 
-constexpr double kOnFront = 1.0 + 1e-9;
+constexpr double kStillOnFront = 1.0 + 1e-9;
 
 /// `3.4 %`, `120 %`.
-std::string percent(double share) {
+std::string percentWords(double share) {
     return share < 0.995 ? say("{:.2g} %", 100.0 * share) : say("{:.0f} %", 100.0 * share);
 }
 
@@ -41,11 +41,11 @@ double askedOf(const TradeReport& report, std::size_t cell) {
     return report.verdicts[cell].off[0].value_or(2.0);
 }
 
-std::string biasWords(const TradeVerdict& verdict) {
+std::string biasSentence(const TradeVerdict& verdict) {
     if (verdict.biased)
-        return say("Bias: {} (95 %: {} to {}), which no rays mend.", percent(verdict.bias),
-                   percent(verdict.biasLow), percent(verdict.biasHigh));
-    return say("No bias is seen; it would be below {}.", percent(verdict.biasHigh));
+        return say("Bias: {} (95 %: {} to {}), which no rays mend.", percentWords(verdict.bias),
+                   percentWords(verdict.biasLow), percentWords(verdict.biasHigh));
+    return say("No bias is seen; it would be below {}.", percentWords(verdict.biasHigh));
 }
 
 /// Errors for which a cell is the cheapest, by that cost.
@@ -54,7 +54,7 @@ std::string stretchWords(const TradeReport& report, std::size_t cell, const Name
     for (const TradeStretch& stretch : report.fronts[at(cost.value)]) {
         if (stretch.cell != cell) continue;
         words += words.empty() ? "" : ", ";
-        words += say("{} to {}", percent(stretch.fromError), percent(stretch.toError));
+        words += say("{} to {}", percentWords(stretch.fromError), percentWords(stretch.toError));
     }
     if (words.empty()) return words;
     return cost.value == TradeCost::rays ? say("On the front in rays: the cheapest for {}.", words)
@@ -68,7 +68,7 @@ std::string standingWords(const TradeReport& report, std::size_t cell) {
     for (const Named<TradeCost>& cost : kTradeCosts) {
         const std::optional<double>& off = verdict.off[at(cost.value)];
         std::string line = stretchWords(report, cell, cost);
-        if (line.empty() && off && *off > kOnFront)
+        if (line.empty() && off && *off > kStillOnFront)
             line = cost.value == TradeCost::rays
                        ? say("Not on the front: at best {} times the rays of the cheapest.", timesWords(*off))
                        : say("At best {} times the time of the fastest.", timesWords(*off));
@@ -128,7 +128,8 @@ std::string tradeProgress(const TradeSoFar& trade) {
 std::string choiceWords(const AppState& state, const TradeSoFar& trade) {
     const TradeWish wish = wishOf(state.instruments);
     const std::optional<TradeChoice> choice = choiceOf(state, trade);
-    const std::string wished = wish.relativeError ? percent(*wish.relativeError) : timeWords(wish.budget);
+    const std::string wished =
+        wish.relativeError ? percentWords(*wish.relativeError) : timeWords(wish.budget);
     if (!choice)
         return wish.relativeError ? say("No setting is known to come down to {} here.", wished)
                                   : say("In {} no setting is ready here.", wished);
@@ -136,7 +137,7 @@ std::string choiceWords(const AppState& state, const TradeSoFar& trade) {
     std::string words;
     if (!wish.relativeError) {
         words = say("The least error in {}: {}, about {}, with {}.", wished, name,
-                    percent(choice->relativeError), raysWords(choice->rays));
+                    percentWords(choice->relativeError), raysWords(choice->rays));
     } else if (wish.cost == TradeCost::rays) {
         words = say("The cheapest for {}: {}, about {}.", wished, name, raysWords(choice->rays));
     } else {
@@ -158,12 +159,12 @@ std::string checkWords(const AppState& state, const TradeSoFar& trade) {
     // Predicted and measured times belong side by side, but rays are the same on every machine.
     const bool byTime = wishOf(state.instruments).cost == TradeCost::seconds;
     std::string words =
-        byTime
-            ? say("Tried {} times: error {} \u00b1 {} in {}; predicted {} in {}.", outcome.runs,
-                  percent(error.value), percent(error.error), timeWords(outcome.seconds),
-                  percent(choice->relativeError), timeWords(choice->seconds))
-            : say("Tried {} times: error {} \u00b1 {}, {}; predicted {}.", outcome.runs, percent(error.value),
-                  percent(error.error), raysWords(outcome.rays), percent(choice->relativeError));
+        byTime ? say("Tried {} times: error {} \u00b1 {} in {}; predicted {} in {}.", outcome.runs,
+                     percentWords(error.value), percentWords(error.error), timeWords(outcome.seconds),
+                     percentWords(choice->relativeError), timeWords(choice->seconds))
+               : say("Tried {} times: error {} \u00b1 {}, {}; predicted {}.", outcome.runs,
+                     percentWords(error.value), percentWords(error.error), raysWords(outcome.rays),
+                     percentWords(choice->relativeError));
     const double factor = error.value / choice->relativeError;
     constexpr double kKept = 1.25, kSure = 2.0;
     const bool kept = (factor < kKept && factor > 1.0 / kKept) ||
@@ -180,9 +181,9 @@ std::string cellWords(const TradeReport& report, std::size_t cell) {
     const TradeVerdict& verdict = report.verdicts[cell];
     return fmt::format(
         "{}\n{}\n{}\n{}", one.name,
-        say("Error {} after {} in {}.", percent(verdict.relativeError),
+        say("Error {} after {} in {}.", percentWords(verdict.relativeError),
             raysWords(static_cast<double>(one.rays)), timeWords(one.preparationSeconds + one.seconds)),
-        biasWords(verdict), standingWords(report, cell));
+        biasSentence(verdict), standingWords(report, cell));
 }
 
 std::string tradeWords(const AppState& state) {

@@ -25,7 +25,7 @@ void checkAgree(const Json& a, const Json& b) {
     }
 }
 
-void checkProbeRefused(std::vector<std::string> options, const std::string& message) {
+void checkPassesRefused(std::vector<std::string> options, const std::string& message) {
     options.insert(options.begin(), {"probe", sceneFile("room.toml"), "--at", "room.0:0.75"});
     checkRefused(options, message);
 }
@@ -120,25 +120,25 @@ TEST_CASE("the table of a probe by passes has the exact answer where it is known
 }
 
 TEST_CASE("refused: options that do not belong together") {
-    checkProbeRefused({"--estimator", "path", "--repeat", "2"},
-                      "halfdisk: --repeat is for cast-ray only; path has independent --samples\n");
-    checkProbeRefused({"--estimator", "path", "--sampler", "cosine"},
-                      "--sampler is for cast-ray only; path has");
-    checkProbeRefused({"--estimator", "path", "--emitters", "hit"},
-                      "--emitters is for cast-ray only; path has");
-    checkProbeRefused({"--estimator", "path", "--as-printed"},
-                      "--as-printed is for cast-ray only; path has no");
-    checkProbeRefused({"--param", "samples=2"},
-                      "halfdisk: --param: 'samples=2' is not for cast-ray, whose options are --samples");
-    checkProbeRefused({"--estimator", "path", "--param", "x=2"}, "'x=2' names no parameter of path");
-    checkProbeRefused({"--normal", "0,1", "--look", "0,1"}, "--normal and --look exclude each other");
-    checkProbeRefused({"--look", "0,0"}, "halfdisk: --look: '0,0' has no direction");
-    checkProbeRefused({"--look", "0,1", "--as-printed"}, "no way to look along one ray\n");
-    checkProbeRefused({"--list"}, "halfdisk: --list: values are a part of the JSON object, add --json\n");
-    checkProbeRefused({"--list", "--json", "--repeat", "10001"},
-                      "halfdisk: --list: 10001 values are too many, expected at most 10000\n");
-    checkProbeRefused({"--estimator", "path", "--samples", "0"},
-                      "--samples: '0' is not a whole number from 1");
-    checkProbeRefused({"--estimator", "path", "--specular", "-1"}, "--specular: '-1' is not a whole number");
-    checkProbeRefused({"--look", "0,1", "--samples", "1e5", "--depth", "2"}, "more than 10^10");
+    checkPassesRefused({"--estimator", "path", "--repeat", "2"},
+                       "halfdisk: --repeat is for cast-ray only; path has independent --samples\n");
+    checkPassesRefused({"--estimator", "path", "--sampler", "cosine"},
+                       "--sampler is for cast-ray only; path has");
+    checkPassesRefused({"--estimator", "path", "--emitters", "hit"},
+                       "--emitters is for cast-ray only; path has");
+    checkPassesRefused({"--estimator", "path", "--as-printed"},
+                       "--as-printed is for cast-ray only; path has no");
+    checkPassesRefused({"--param", "samples=2"},
+                       "halfdisk: --param: 'samples=2' is not for cast-ray, whose options are --samples");
+    checkPassesRefused({"--estimator", "path", "--param", "x=2"}, "'x=2' names no parameter of path");
+    checkPassesRefused({"--normal", "0,1", "--look", "0,1"}, "--normal and --look exclude each other");
+    checkPassesRefused({"--look", "0,0"}, "halfdisk: --look: '0,0' has no direction");
+    checkPassesRefused({"--look", "0,1", "--as-printed"}, "no way to look along one ray\n");
+    checkPassesRefused({"--list"}, "halfdisk: --list: values are a part of the JSON object, add --json\n");
+    checkPassesRefused({"--list", "--json", "--repeat", "10001"},
+                       "halfdisk: --list: 10001 values are too many, expected at most 10000\n");
+    checkPassesRefused({"--estimator", "path", "--samples", "0"},
+                       "--samples: '0' is not a whole number from 1");
+    checkPassesRefused({"--estimator", "path", "--specular", "-1"}, "--specular: '-1' is not a whole number");
+    checkPassesRefused({"--look", "0,1", "--samples", "1e5", "--depth", "2"}, "more than 10^10");
 }

@@ -10,7 +10,7 @@ using namespace halfdisk;
 
 namespace {
 
-bool holds(const std::string& text, const std::string& part) {
+bool reportHolds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
@@ -27,26 +27,26 @@ ProbeAnswer plainAnswer() {
 
 TEST_CASE("bad samples are told loudly, good ones quietly") {
     ProbeAnswer answer = plainAnswer();
-    CHECK_FALSE(holds(probeTable(answer), "WARNING"));
+    CHECK_FALSE(reportHolds(probeTable(answer), "WARNING"));
     answer.estimate.samples.nonFinite = 3;
-    CHECK(holds(probeTable(answer), "WARNING: 3 of 103 samples were NaN or infinite"));
+    CHECK(reportHolds(probeTable(answer), "WARNING: 3 of 103 samples were NaN or infinite"));
     CHECK(probeJson(answer)["nonFinite"] == 3);
 }
 
 TEST_CASE("negative light is a warning unless the printed defects make it") {
     ProbeAnswer answer = plainAnswer();
     answer.estimate.samples.negative = 5;
-    CHECK(holds(probeTable(answer), "WARNING: 5 samples were negative"));
+    CHECK(reportHolds(probeTable(answer), "WARNING: 5 samples were negative"));
     answer.question.settings.defects.set(Defect::cosine, true);
-    CHECK_FALSE(holds(probeTable(answer), "WARNING"));
+    CHECK_FALSE(reportHolds(probeTable(answer), "WARNING"));
 }
 
 TEST_CASE("the exact answer is told with its distance in standard errors") {
     ProbeAnswer answer = plainAnswer();
-    CHECK_FALSE(holds(probeTable(answer), "exact"));
+    CHECK_FALSE(reportHolds(probeTable(answer), "exact"));
     answer.exact = Rgb(3.0);
-    CHECK(holds(probeTable(answer), "exact E"));
-    CHECK(holds(probeTable(answer), "-2"));
+    CHECK(reportHolds(probeTable(answer), "exact E"));
+    CHECK(reportHolds(probeTable(answer), "-2"));
     CHECK_FALSE(probeJson(answer).contains("exact"));
 }
 
@@ -54,8 +54,8 @@ TEST_CASE("values that are not finite become null, negative zeros lose their sig
     ProbeAnswer answer = plainAnswer();
     answer.irradiance.mean = {std::numeric_limits<double>::quiet_NaN(), kInfinity, -0.0};
     const std::string text = probeJson(answer).dump();
-    CHECK(holds(text, R"("mean":[null,null,0.0])"));
-    CHECK(holds(text, R"("normal":[0.0,1.0])"));
+    CHECK(reportHolds(text, R"("mean":[null,null,0.0])"));
+    CHECK(reportHolds(text, R"("normal":[0.0,1.0])"));
     CHECK(Json::accept(text));
 }
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double kRadiance = 3.0, kLampFrom = -0.5, kLampTo = 1.5, kLampHeight = 2.0;
 constexpr double kMostStandardErrors = 4.5;
 
-CsvFile render(std::vector<std::string> arguments) {
+CsvFile renderCsv(std::vector<std::string> arguments) {
     const TemporaryFolder folder;
     const std::string file = folder / "a.csv";
     arguments.insert(arguments.end(), {"-o", file});
@@ -45,8 +45,8 @@ void checkAgrees(const CsvRow& row, double exact) {
 
 TEST_CASE("eye: the lamp is bright where it is, left to right") {
     const CsvFile strip =
-        render({"eye", sceneFile("segment_light.toml"), "--position", "0,1", "--direction", "0,2", "--fov",
-                "120", "--width", "101", "--depth", "0", "--samples", "16"});
+        renderCsv({"eye", sceneFile("segment_light.toml"), "--position", "0,1", "--direction", "0,2", "--fov",
+                   "120", "--width", "101", "--depth", "0", "--samples", "16"});
     const double left = angleTo(kLampFrom, {0.0, 1.0}) * 180.0 / kPi,
                  right = angleTo(kLampTo, {0.0, 1.0}) * 180.0 / kPi;
     REQUIRE(strip.rows.size() == 101);
@@ -66,8 +66,8 @@ TEST_CASE("eye: the lamp is bright where it is, left to right") {
 }
 
 TEST_CASE("profile: irradiance along the floor by the formula of the lamp's sines") {
-    const CsvFile floor = render({"profile", sceneFile("segment_light.toml"), "--walls", "floor", "--width",
-                                  "40", "--depth", "0", "--samples", "4000"});
+    const CsvFile floor = renderCsv({"profile", sceneFile("segment_light.toml"), "--walls", "floor",
+                                     "--width", "40", "--depth", "0", "--samples", "4000"});
     REQUIRE(floor.rows.size() == 40);
     for (const CsvRow& row : floor.rows) {
         // Simpson's rule over the bin of 0.25 m; s counts from the wall's end at x = -5.
@@ -83,9 +83,9 @@ TEST_CASE("profile: irradiance along the floor by the formula of the lamp's sine
 TEST_CASE("field: fluence under the lamp is its radiance times the angle that it fills") {
     for (const char* estimator : {"path", "light"}) {
         CAPTURE(estimator);
-        const CsvFile field =
-            render({"field", sceneFile("segment_light.toml"), "--min", "-1,0.5", "--max", "2,1.5", "--width",
-                    "6", "--height", "4", "--depth", "0", "--samples", "4000", "--estimator", estimator});
+        const CsvFile field = renderCsv({"field", sceneFile("segment_light.toml"), "--min", "-1,0.5", "--max",
+                                         "2,1.5", "--width", "6", "--height", "4", "--depth", "0",
+                                         "--samples", "4000", "--estimator", estimator});
         REQUIRE(field.rows.size() == 24);
         for (const CsvRow& row : field.rows) {
             constexpr int kSteps = 20;
@@ -102,16 +102,16 @@ TEST_CASE("field: fluence under the lamp is its radiance times the angle that it
 }
 
 TEST_CASE("an even sky of radiance 1: 1 in every pixel, 2 on every wall, 2 pi in every cell") {
-    for (const CsvRow& row : render({"eye", sceneFile("open_sky.toml"), "--position", "0,0", "--direction",
-                                     "1,0", "--width", "7"})
+    for (const CsvRow& row : renderCsv({"eye", sceneFile("open_sky.toml"), "--position", "0,0", "--direction",
+                                        "1,0", "--width", "7"})
                                  .rows)
         CHECK(row.mean.y == doctest::Approx(1.0).epsilon(1e-12));
-    for (const CsvRow& row : render({"profile", sceneFile("lone_floor.toml"), "--walls", "all", "--width",
-                                     "7", "--samples", "3000"})
+    for (const CsvRow& row : renderCsv({"profile", sceneFile("lone_floor.toml"), "--walls", "all", "--width",
+                                        "7", "--samples", "3000"})
                                  .rows)
         checkAgrees(row, 2.0);
-    for (const CsvRow& row : render({"field", sceneFile("open_sky.toml"), "--min", "0,0", "--max", "1,1",
-                                     "--width", "3", "--samples", "3000"})
+    for (const CsvRow& row : renderCsv({"field", sceneFile("open_sky.toml"), "--min", "0,0", "--max", "1,1",
+                                        "--width", "3", "--samples", "3000"})
                                  .rows)
         checkAgrees(row, 2.0 * kPi);
 }

@@ -44,7 +44,7 @@ struct DialAnswer {
     DialSetting setting;
     ExtremeCounts chosen, product;
     std::vector<Segment> slit{};  ///< the walls that its gap puts into the scene
-    std::string refusal;  ///< not empty: why nothing was counted
+    std::string refusal;          ///< not empty: why nothing was counted
 };
 
 struct InstrumentAnswers {

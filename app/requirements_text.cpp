@@ -187,7 +187,8 @@ std::string costsText(const Costs& costs) {
     if (costs.complete()) text += costLine("everything on", costs.everything);
     text += wrapped(fmt::format("light: change of the mean, ± 2 standard errors; pixels: root mean square of "
                                 "their changes, where "
-                                "noise does not hide it; rays: to the same noise (-: one of the two has none); time: rays times time per "
+                                "noise does not hide it; rays: to the same noise (-: one of the two has "
+                                "none); time: rays times time per "
                                 "ray, on this machine, "
                                 "now. The plan itself: {:.3g} ns per ray.",
                                 1e9 * costs.plan.secondsPerRay()),

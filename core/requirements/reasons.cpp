@@ -87,7 +87,8 @@ std::string misReason(const RequirementsAnswer& answer) {
         return "a lamp touches a wall that it lights: what a point on it brings has no bound there, and rays "
                "that meet "
                "it by chance must share it";
-    if (answer.plan.way.estimator == "closed-form") return "a formula gives all the light: nothing is weighed";
+    if (answer.plan.way.estimator == "closed-form")
+        return "a formula gives all the light: nothing is weighed";
     const auto weighs = [](const Candidate& candidate) { return candidate.plan.way.mis; };
     return orElse(factor(answer, weighs, "weighing two ways", "one way alone"),
                   "the other ways can't do without");

@@ -162,7 +162,8 @@ TEST_CASE("refused: walls of a profile") {
     checkProfileRefused("room.toml", "room.4", "'room.4' names no wall");
     checkProfileRefused("room.toml", "room,", "'' names no wall");
     checkProfileRefused("room.toml", "room,room.2", "names the wall \"room.2\" twice");
-    checkProfileRefused("open_sky.toml", "all", "'all' names no wall: the scene has none\n");
+    checkProfileRefused("open_sky.toml", "all",
+                        "open_sky.toml: the scene has no wall, expected one at least\n");
     checkRefused({"profile", sceneFile("room.toml"), "-o", "a.csv"}, "--walls is required");
 }
 

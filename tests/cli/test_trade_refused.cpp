@@ -80,7 +80,10 @@ TEST_CASE("trade refused: folders that hold something else") {
     std::vector<std::string> other = small;
     other[5] = "300";
     checkRefused(other, "answers another question: its rays is 200.0, not 300.0");
+    other = small;
+    other[9] = "emitters=hit";
+    checkRefused(other, "it compares other settings");
     checkRefused({"trade", "merge", folder / "nothing", "-o", folder / "all"}, "holds no cells");
     std::ofstream(folder / "room" / "cells" / "0001.json") << "{\"half\":";
-    checkRefused(small, "0001.json: is not what halfdisk trade wrote");
+    checkRefused(small, "0001.json: is damaged, or not what halfdisk trade wrote");
 }

@@ -191,6 +191,7 @@ ClaimResult checkClaim(const std::string& file, const std::shared_ptr<const Prep
     try {
         result.of = quantityOf(scene, claim.quantity, claim.of, threads);
         if (claim.over) result.over = quantityOf(scene, claim.quantity, *claim.over, threads);
+        if (result.over == 0.0) throw InputError("it is divided by \"over\", which is 0");
     } catch (const InputError& error) {
         throw InputError(file, claim.where, fmt::format("the claim cannot be measured: {}", error.text));
     }

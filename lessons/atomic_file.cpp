@@ -78,6 +78,11 @@ void writeFileAtomically(const fs::path& path, std::string_view bytes) {
     if (fs::is_symlink(path, error)) target = fs::weakly_canonical(path, error);
     if (error && target.empty()) fail(path, error.value());
     if (target.empty()) fail(path, ENOENT);
+    // A device or a pipe would be gone: the new file takes its place.
+    if (const fs::file_status status = fs::status(target, error);
+        fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status))
+        throw std::runtime_error(fmt::format(
+            "{}: the file cannot be written: it is a device or a pipe, expected a file", path.string()));
     if (fs::is_directory(target, error)) fail(path, EISDIR);
 
     TemporaryFile file;

@@ -101,6 +101,13 @@ double sceneBound(double offset, double gain) {
     return 32.0 * kRounding * (1.0 + offset) * gain;
 }
 
+/// Sizes of the scene that it stands away from the origin by itself: what is rounded at home.
+double ownOffset(const Scene& scene) {
+    const SceneBox box = boxOf(scene);
+    const Vec2 farthest = glm::max(glm::abs(box.least), glm::abs(box.most));
+    return std::max(farthest.x, farthest.y) / sizeOf(scene);
+}
+
 }  // namespace
 
 std::vector<ExtremeCell> extremeCellsOf(const Scene& scene) {
@@ -112,7 +119,7 @@ std::vector<ExtremeCell> extremeCellsOf(const Scene& scene) {
                                                       : ": distances of 1/1000 of the scene");
     const auto add = [&](std::string id, std::string title, Placement placement) {
         cells.push_back({std::move(id), std::move(title), "E, of the brightest; naive: rays lost",
-                         sceneBound(placement.offset, gain), why,
+                         sceneBound(ownOffset(*shared) + placement.offset, gain), why,
                          [shared, placement](const StopQuestion& stop) {
                              return sceneOutcome(*shared, placement, stop);
                          }});

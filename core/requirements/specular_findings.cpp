@@ -78,6 +78,9 @@ std::string specularReason(const RequirementsAnswer& answer) {
         if (beyond.standardError > 0.0)
             reason += words::joined(" (± ", words::percent(beyond.standardError), ")");
         reason += " of the light";
+        if (!isEnough(beyond, answer.tolerance))
+            reason += words::joined(", and no more than ", std::to_string(answer.specular.required),
+                                    " are followed: some light is missing");
     }
     std::uint64_t cut = 0, paths = 0;
     for (const Candidate& candidate : answer.candidates)

@@ -54,6 +54,7 @@ TEST_CASE("trade refused: sensors, parts and references") {
     checkTradeRefused({"--part", "1/4"}, "expected -o DIR");
     checkTradeRefused({"--reference", "/no/such/file.json"}, "/no/such/file.json: cannot be read");
     const TemporaryFolder folder;
+    checkTradeRefused({"--reference", folder.path.string()}, "this is a directory");
     const std::string file = folder / "x.json";
     std::ofstream(file) << "{\"mean\": 3}";
     checkTradeRefused({"--reference", file}, "is not what halfdisk eye, profile or field wrote");

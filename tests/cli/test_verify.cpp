@@ -104,6 +104,7 @@ TEST_CASE("verify: what can't be measured is refused with its place") {
         "measure = 'raysTo'\nwith = { estimator = 'radiosity', wishedError = 0.001, params = { patches = 1 } "
         "}\nequals = 1\n",
         "never comes to an error of 0.001");
+    refused("measure = 'planBounces'\nover = { force = { bounces = 0 } }\natLeast = 1e30\n", "which is 0");
     refused("measure = 'planRays'\nwith = { force = { mirrors = true } }\nequals = 1\n",
             "names no requirement");
     refused("measure = 'planRays'\nwith = { force = { colour = false } }\nequals = 1\n", "can't be forced");

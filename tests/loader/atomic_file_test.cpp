@@ -49,6 +49,16 @@ TEST_CASE("a write that fails says so and leaves nothing behind") {
     CHECK(countFiles(folder.path) == 1);
 }
 
+TEST_CASE("a pipe stays what it is, also behind a link") {
+    const TempFolder folder;
+    const std::filesystem::path pipe = folder.path / "pipe", link = folder.path / "link";
+    REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+    std::filesystem::create_symlink(pipe, link);
+    for (const auto& path : {pipe, link})
+        CHECK_THROWS_AS(writeFileAtomically(path, "new"), std::runtime_error);
+    CHECK(std::filesystem::is_fifo(pipe));
+}
+
 TEST_CASE("a scene that could not be loaded again is not saved over a good one") {
     const TempFolder folder;
     const auto path = folder.path / "scene.toml";

@@ -247,7 +247,7 @@ void drawGaze(const Canvas& canvas) {
     const SegmentIndex& index = state.scene->index;
     const Sensor& strip = state.answer->pictures.eye->sensor;
     if (*pixel >= pixelCount(strip)) return;
-    Ray ray = sightFrom(startOf(strip, index, *pixel, 0.5, 0.5), index, 0.5).ray;
+    Ray ray = sightFrom(Receivers(strip, index).draw(*pixel, 0.5, 0.5), index, 0.5).ray;
     // On by mirrors and through glass, to what is really seen. Of glass, what it lets through.
     constexpr std::uint32_t kMostSpeculars = 16;
     for (std::uint32_t speculars = 0; speculars <= kMostSpeculars; ++speculars) {

@@ -11,8 +11,9 @@
 #include "app/cli_commands.h"
 #include "app/cli_output.h"
 #include "app/render_output.h"
+#include "core/cover.h"
+#include "core/estimate.h"
 #include "core/extremes/float_fit.h"
-#include "core/intersect.h"
 #include "lessons/scene_file.h"
 #include "lessons/scene_keys.h"
 
@@ -41,17 +42,26 @@ struct SceneCounts {
     std::vector<std::string> hidden;  ///< lamps that lie behind a wall in the same place, told in words
 };
 
-/// A lamp on a wall that was written before it: the wall is met, not the lamp (see SegmentIndex).
+/// Lamps, the fronts of which lie behind a wall in the same place (cover.h), as far as a look at 64 places of
+/// each tells.
 std::vector<std::string> hiddenLamps(const SegmentIndex& index) {
+    constexpr int kPlaces = 64;
     std::vector<std::string> hidden;
     const Scene& scene = index.scene();
-    for (const std::uint32_t lamp : index.emitters()) {
-        const double away = 1e-3 * index.length(lamp);
-        const Vec2 N = index.normal(lamp);
-        const Hit hit = index.closestHit({index.pointOn(lamp, 0.5) + away * N, -N});
-        if (!hit || hit.segment == lamp || std::abs(hit.t - away) > 1e-6 * away) continue;
-        hidden.push_back(fmt::format("\"{}\" lies on \"{}\", which is written before it and hides it",
-                                     scene.segmentNames[lamp], scene.segmentNames[hit.segment]));
+    const CoveredWalls covers(index, index.emitters());
+    for (const std::uint32_t lamp : covers.all()) {
+        int covered = 0;
+        std::uint32_t by = kNoSegment;
+        for (int i = 0; i < kPlaces; ++i) {
+            const std::uint32_t over = wallOver(index, shadedPointOn(index, lamp, (i + 0.5) / kPlaces));
+            if (over == kNoSegment) continue;
+            ++covered;
+            by = over;
+        }
+        if (covered > 0)
+            hidden.push_back(fmt::format("\"{}\" lies on \"{}\", which is written before it and hides {}",
+                                         scene.segmentNames[lamp], scene.segmentNames[by],
+                                         covered == kPlaces ? "it" : "a part of it"));
     }
     return hidden;
 }

@@ -7,6 +7,8 @@
 #include "app/language.h"
 #include "app/message_words.h"
 #include "app/panels.h"
+#include "core/cover.h"
+#include "core/wall_kind.h"
 
 namespace halfdisk {
 namespace {
@@ -143,6 +145,16 @@ void costRows(const Ui& ui, const LightAnswer& answer) {
         "Half-disk rays at all depths and shadow rays, in this one run.");
 }
 
+/// P where no light can be, for a wall that was written first takes it.
+void coverRow(const Ui& ui, const LightAnswer& answer) {
+    const PreparedScene& scene = *answer.asked.scene;
+    const std::uint32_t over = wallOver(scene.index, answer.point);
+    if (over == kNoSegment) return;
+    row(ui, "P lies behind", quotedName(scene.scene, over), ui.palette.error,
+        "Of two walls in the same place only the one that was written first is met. What is behind it "
+        "receives nothing.");
+}
+
 }  // namespace
 
 void numbersPanel(const Ui& ui) {
@@ -168,6 +180,7 @@ void numbersPanel(const Ui& ui) {
         ImGui::PopStyleColor();
         return;
     }
+    coverRow(ui, answer);
     const bool numbers = state.shows(View::numbers), finished = runIsFinished(state);
     if (numbers && finished) estimateRows(ui, answer);
     if (numbers && !finished)

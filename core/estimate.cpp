@@ -27,6 +27,7 @@ void addMean(Statistics& repeats, const Statistics& repeat) {
 template <class Observer>
 Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
              const EstimateOptions& options, Observer& observer) {
+    const bool covered = isCovered(index, at);
     const std::uint32_t N = settings.samples;
     const std::uint64_t chunksPerRepeat = (N + kChunkSamples - 1) / kChunkSamples;
     const std::uint64_t repeatsPerChunk = std::max<std::uint64_t>(1, kChunkSamples / N);
@@ -37,8 +38,10 @@ Estimate run(const SegmentIndex& index, const ShadedPoint& at, const Settings& s
     const auto addSamples = [&](Chunk& chunk, std::uint64_t repeat, std::uint32_t first, std::uint32_t last) {
         Statistics mine;
         for (std::uint32_t n = first; n < last; ++n) {
-            const Irradiance E = gatherOnce(index, at, settings, options.firstRepeat + repeat, {n, n + 1, N},
-                                            observer, chunk.rays);
+            Irradiance E;
+            if (!covered)
+                E = gatherInOpen(index, at, settings, options.firstRepeat + repeat, {n, n + 1, N}, observer,
+                                 chunk.rays);
             mine.add(E.total());
             if (!isFinite(E.total())) continue;
             chunk.direct += E.direct;

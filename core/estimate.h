@@ -7,6 +7,7 @@
 
 #include "as_printed.h"
 #include "cast_ray.h"
+#include "cover.h"
 #include "statistics.h"
 
 namespace halfdisk {
@@ -41,10 +42,11 @@ struct CancelObserver : NoObserver {
 Estimate estimateIrradiance(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
                             const EstimateOptions& options = {});
 
-/// One pass over the samples in `range` of one repeat, seen by `observer`. Adds the rays cast to `rays`.
+/// One pass over the samples in `range` of one repeat, seen by `observer`, at a place that is not covered.
+/// Adds the rays cast to `rays`.
 template <class Observer>
-Irradiance gatherOnce(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
-                      std::uint64_t repeat, SampleRange range, Observer& observer, std::uint64_t& rays) {
+Irradiance gatherInOpen(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
+                        std::uint64_t repeat, SampleRange range, Observer& observer, std::uint64_t& rays) {
     const auto gather = [&](auto tracer) {
         const Irradiance gathered = tracer.gatherLight(at, 0, Rng(settings.seed, repeat), range);
         rays += tracer.rays;
@@ -52,6 +54,14 @@ Irradiance gatherOnce(const SegmentIndex& index, const ShadedPoint& at, const Se
     };
     if (settings.defects == DefectSet{}) return gather(CastRay<Observer>{{index, settings, observer}});
     return gather(AsPrinted<Observer>{{index, settings, observer}});
+}
+
+/// The same anywhere: behind another wall (cover.h) nothing arrives.
+template <class Observer>
+Irradiance gatherOnce(const SegmentIndex& index, const ShadedPoint& at, const Settings& settings,
+                      std::uint64_t repeat, SampleRange range, Observer& observer, std::uint64_t& rays) {
+    if (isCovered(index, at)) return {};
+    return gatherInOpen(index, at, settings, repeat, range, observer, rays);
 }
 
 /// Upper bound on the rays of one repeat: every ray meets a wall and every light is asked. Infinity past

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "arc_measure.h"
+#include "cover.h"
 #include "quadrature.h"
 #include "wall_contacts.h"
 
@@ -67,6 +68,8 @@ std::vector<VisibleArc> Visibility::arcs(const ShadedPoint& at) const {
 }
 
 const std::vector<VisibleArc>& Visibility::arcs(const ShadedPoint& at, ArcMemory& memory) const {
+    memory.arcs.clear();
+    if (isCovered(*index_, at)) return memory.arcs;
     std::vector<double>& cuts = memory.cuts;
     cuts.assign({0.0, kPi});
     for (const Vec2& corner : corners_)
@@ -75,7 +78,6 @@ const std::vector<VisibleArc>& Visibility::arcs(const ShadedPoint& at, ArcMemory
         if (seesOver(at, edge)) cuts.push_back(thetaOf(at, edge));
     std::sort(cuts.begin(), cuts.end());
 
-    memory.arcs.clear();
     double from = cuts.front();
     for (const double to : cuts) {
         if (to - from < kNarrowest) continue;
@@ -89,6 +91,7 @@ const std::vector<VisibleArc>& Visibility::arcs(const ShadedPoint& at, ArcMemory
 
 Rgb deltaIrradiance(const SegmentIndex& index, const ShadedPoint& at) {
     Rgb sum{0.0};
+    if (isCovered(index, at)) return sum;
     for (std::uint32_t i = 0; i < index.scene().lights.size(); ++i) {
         const LightSample light = sampleLight(index, i, at.P, 0.5);
         if (!seesOver(at, light.L) || index.occluded(rayFrom(index, at, light.L), light.distance)) continue;
@@ -105,6 +108,7 @@ Rgb directIrradiance(const Visibility& visibility, const ShadedPoint& at) {
 }
 
 Rgb arrivingRadiance(const Visibility& visibility, const ShadedPoint& at, double theta, int depth) {
+    if (isCovered(visibility.index(), at)) return Rgb(0.0);
     const Vec2 direction = directionAt(at, theta);
     return seenRadiance(visibility, visibility.index().closestHit(rayFrom(visibility.index(), at, direction)),
                         direction, depth);

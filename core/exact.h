@@ -37,7 +37,8 @@ class Visibility {
     /// See cornersOf for the time that it takes. Throws Stopped if `stop` says so.
     explicit Visibility(const SegmentIndex& index, const StopQuestion& stop = {});
 
-    /// What `at` sees over its half-disk, in order of theta. O(n) rays.
+    /// What `at` sees over its half-disk, in order of theta; nothing where it is covered (cover.h). O(n)
+    /// rays.
     std::vector<VisibleArc> arcs(const ShadedPoint& at) const;
     /// The same, in memory.arcs.
     const std::vector<VisibleArc>& arcs(const ShadedPoint& at, ArcMemory& memory) const;

@@ -38,7 +38,7 @@ std::vector<Rgb> exactStrip(const Reference& reference, const Sensor& sensor, un
                             const StopQuestion& stop) {
     const SegmentIndex& index = reference.visibility().index();
     const EyeStrip& strip = std::get<EyeStrip>(sensor);
-    const Receiver receiver = startOf(sensor, index, 0, 0.5, 0.5);  // refers to the strip
+    const Receiver receiver = Receivers(sensor, index).draw(0, 0.5, 0.5);  // refers to the strip
     std::vector<double> cuts;
     for (const VisibleArc& arc : reference.visibility().arcs(receiver.at)) cuts.push_back(arc.from);
     const auto weighted = [&](double theta) {

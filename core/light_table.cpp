@@ -46,7 +46,8 @@ Vec2 drawFrom(const std::vector<double>& skyUpTo, double u) {
 
 }  // namespace
 
-LightTable::LightTable(const SegmentIndex& index, const std::vector<Vec2>& extra) : index_(&index) {
+LightTable::LightTable(const SegmentIndex& index, const std::vector<Vec2>& extra)
+    : index_(&index), covers_(index, index.emitters()) {
     const Scene& scene = index.scene();
     Vec2 low(kInfinity), high(-kInfinity);
     const auto include = [&](Vec2 point) {
@@ -172,6 +173,7 @@ Emission LightTable::emit(double place, double v) const {
         out.ray = {originOff(*index_, out.segment, P, way.direction), way.direction, out.segment};
         out.ray.medium = mediumAt(*index_, out.ray.origin);
         out.pdfAngle = scene.segments[out.segment].twoSided ? way.pdfAngle / 2.0 : way.pdfAngle;
+        if (covers_.isCovered(*index_, {P, out.N, out.segment})) out.power = Rgb(0.0);
         return out;
     }
     std::visit(Overload{[&](const PointLight& point) {

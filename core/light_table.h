@@ -4,7 +4,7 @@
 // which counts as a light if it is not black.
 #pragma once
 
-#include "light.h"
+#include "cover.h"
 #include "surface.h"
 
 namespace halfdisk {
@@ -62,7 +62,8 @@ class LightTable {
     double pdfEnvironment(Vec2 direction) const;
 
     /// Light that sets out. `place` in (0, 1) runs over all the power of all lights: which one, and where on
-    /// it (or across its beam; of a point light, whither). `v` in (0, 1) is the direction.
+    /// it (or across its beam; of a point light, whither). `v` in (0, 1) is the direction. Power is 0 where a
+    /// lamp is covered (cover.h): none of it gets out.
     Emission emit(double place, double v) const;
 
     /// Density (1/m or 1/rad) of emit's draws, given the light: along a lamp, or across a beam.
@@ -73,6 +74,7 @@ class LightTable {
     Ray beam(Vec2 direction, double u) const;
 
     const SegmentIndex* index_;
+    CoveredWalls covers_;  // of lamps
     Vec2 center_{0.0};
     double radius_ = 0.0;
     std::vector<Rgb> powers_;

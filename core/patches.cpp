@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "cover.h"
 #include "wall_contacts.h"
 
 namespace halfdisk {
@@ -33,19 +34,9 @@ std::vector<Stretch> stretchesOf(const Visibility& visibility, const StopQuestio
     return stretches;
 }
 
-// From so far in front of it (in shifts of an origin) a ray back to the patch tells whether it is what is met
-// there.
-constexpr double kLookingFrom = 1000.0;
-// Where single precision decides, two of its roundings must do, which are large: a shift is eight of
-// double's.
-constexpr double kLookingFromInSingle = 0x1p29 / 4.0;
-
 bool isHidden(const SegmentIndex& index, const Patch& patch) {
     const Vec2 N = perp(patch.b - patch.a) / patch.length;
-    const bool single = precisionOf(index.method()) == Precision::single;
-    const double shifts = single ? kLookingFromInSingle : kLookingFrom;
-    const Vec2 origin = (patch.a + patch.b) / 2.0 + N * (shifts * index.originShift(patch.segment));
-    return index.closestHit({origin, -N}).segment != patch.segment;
+    return isCovered(index, {(patch.a + patch.b) / 2.0, N, patch.segment});
 }
 
 }  // namespace

@@ -18,22 +18,6 @@ std::optional<double> filmPlace(const Eye& eye, Vec2 direction) {
     return place;
 }
 
-Receiver onProfile(const Profile& profile, const SegmentIndex& index, std::uint32_t bin, double u) {
-    double total = 0.0;
-    for (const std::uint32_t segment : profile.segments) total += index.length(segment);
-    double along = (bin + u) / profile.bins * total;
-    for (std::size_t i = 0;; ++i) {
-        const std::uint32_t segment = profile.segments[i];
-        const double length = index.length(segment);
-        if (along > length && i + 1 < profile.segments.size()) {
-            along -= length;
-            continue;
-        }
-        ShadedPoint at{index.pointOn(segment, std::min(1.0, along / length)), index.normal(segment), segment};
-        return {.weighing = Weighing::cosine, .at = at, .pixel = bin};
-    }
-}
-
 Receiver inField(const Field& field, std::uint32_t pixel, double u, double v) {
     const double x = (pixel % field.width + u) / field.width, y = (pixel / field.width + v) / field.height;
     const Vec2 P{field.min.x + x * (field.max.x - field.min.x),
@@ -51,7 +35,30 @@ std::uint32_t pixelCount(const Sensor& sensor) {
                       sensor);
 }
 
-Receiver startOf(const Sensor& sensor, const SegmentIndex& index, std::uint32_t pixel, double u, double v) {
+Receivers::Receivers(const Sensor& sensor, const SegmentIndex& index) : sensor_(&sensor), index_(&index) {
+    if (const auto* profile = std::get_if<Profile>(&sensor)) {
+        double total = 0.0;
+        for (const std::uint32_t segment : profile->segments) upTo_.push_back(total += index.length(segment));
+        covers_ = CoveredWalls(index, profile->segments);
+    }
+    if (const auto* probe = std::get_if<Probe>(&sensor); probe && probe->at.segment != kNoSegment)
+        covers_ = CoveredWalls(index, {&probe->at.segment, 1});
+}
+
+Receiver Receivers::onProfile(const Profile& profile, std::uint32_t bin, double u) const {
+    const double along = (bin + u) / profile.bins * upTo_.back();
+    const auto wall = std::lower_bound(upTo_.begin(), upTo_.end() - 1, along) - upTo_.begin();
+    const auto place = static_cast<std::size_t>(wall);
+    const std::uint32_t segment = profile.segments[place];
+    const double before = place == 0 ? 0.0 : upTo_[place - 1];
+    const double t = std::min(1.0, (along - before) / index_->length(segment));
+    return {.weighing = Weighing::cosine,
+            .at = {index_->pointOn(segment, t), index_->normal(segment), segment},
+            .pixel = bin};
+}
+
+Receiver Receivers::draw(std::uint32_t pixel, double u, double v) const {
+    const SegmentIndex& index = *index_;
     Receiver receiver =
         std::visit(Overload{[](const Probe& probe) { return Receiver{.at = probe.at}; },
                             [](const Look& look) {
@@ -65,23 +72,25 @@ Receiver startOf(const Sensor& sensor, const SegmentIndex& index, std::uint32_t 
                                                 .pixel = pixel,
                                                 .strip = &strip};
                             },
-                            [&](const Profile& profile) { return onProfile(profile, index, pixel, u); },
+                            [&](const Profile& profile) { return onProfile(profile, pixel, u); },
                             [&](const Field& field) { return inField(field, pixel, u, v); }},
-                   sensor);
+                   *sensor_);
     const Vec2 P = receiver.at.segment == kNoSegment
                        ? receiver.at.P
                        : originOff(index, receiver.at.segment, receiver.at.P, receiver.at.N);
     receiver.at.medium = mediumAt(index, P);
+    receiver.covered = covers_.isCovered(index, receiver.at);
     return receiver;
 }
 
 std::optional<Receiver> fixedReceiver(const Sensor& sensor, const SegmentIndex& index) {
     if (!std::holds_alternative<Probe>(sensor) && !std::holds_alternative<EyeStrip>(sensor))
         return std::nullopt;
-    return startOf(sensor, index, 0, 0.5, 0.5);
+    return Receivers(sensor, index).draw(0, 0.5, 0.5);
 }
 
 Response responseTo(const Receiver& receiver, Vec2 direction) {
+    if (receiver.covered) return {};
     switch (receiver.weighing) {
         case Weighing::cosine:
             return {receiver.pixel, std::max(0.0, glm::dot(receiver.at.N, direction))};

@@ -1,11 +1,11 @@
 // Where is light measured, and what counts as one pixel of the answer?
 //
 // A sensor is a row (or grid) of pixels. Each pixel is an integral of radiance over directions, and over the
-// places that it covers; startOf draws one place. From there an estimator looks back along rays, or connects
+// places that it covers; Receivers draw one place. From there an estimator looks back along rays, or connects
 // to light that was sent out.
 #pragma once
 
-#include "tracing.h"
+#include "cover.h"
 
 namespace halfdisk {
 
@@ -59,12 +59,26 @@ struct Receiver {
     std::uint32_t pixel = 0;
     const EyeStrip* strip = nullptr;  ///< of Weighing::film
     Vec2 direction{0.0};              ///< of Weighing::one
+    bool covered = false;             ///< behind another wall (cover.h): nothing arrives
 };
 
-/// A place of a pixel: draws in (0, 1) where it covers several.
-Receiver startOf(const Sensor& sensor, const SegmentIndex& index, std::uint32_t pixel, double u, double v);
-Receiver startOf(Sensor&& sensor, const SegmentIndex&, std::uint32_t, double, double) = delete;  // it is
-                                                                                                 // kept
+/// Where a sensor receives light. Keeps pointers to both.
+class Receivers {
+ public:
+    Receivers(const Sensor& sensor, const SegmentIndex& index);
+    Receivers(Sensor&&, const SegmentIndex&) = delete;
+
+    /// A place of a pixel: u and v in (0, 1) draw it where it covers several.
+    Receiver draw(std::uint32_t pixel, double u, double v) const;
+
+ private:
+    Receiver onProfile(const Profile& profile, std::uint32_t bin, double u) const;
+
+    const Sensor* sensor_;
+    const SegmentIndex* index_;
+    std::vector<double> upTo_;  // running sums of the lengths of a profile's walls
+    CoveredWalls covers_;
+};
 
 /// The same place for all pixels, if the sensor has only one: what light paths can be connected to. Not for
 /// Look.

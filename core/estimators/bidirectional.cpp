@@ -72,6 +72,7 @@ std::string refusal(const Problem& problem, const ParamValues&) {
 JoinSetup joinSetupOf(const Problem& problem, const ParamValues& params) {
     JoinSetup setup{
         .problem = problem,
+        .receivers = Receivers(problem.sensor, problem.index),
         .lights = LightTable(problem.index, placesOf(problem.sensor)),
         .bins = {},
         .onlyS = static_cast<int>(params[kLightVertices]),

@@ -47,15 +47,17 @@ class Join {
         const Rng sensorRng = rng.child(0), lightRng = rng.child(1);
         sensor_.clear();
         light_.clear();
-        receiver_ = startOf(all_.problem.sensor, index_, pixel, sensorRng.uniform(draws::kStart, 0),
-                            sensorRng.uniform(draws::kStart, 1));
-        const Sight sight = sightFrom(receiver_, index_, sensorRng.uniform(draws::kStart, 2));
+        receiver_ = all_.receivers.draw(pixel, sensorRng.uniform(draws::kStart, 0),
+                                        sensorRng.uniform(draws::kStart, 1));
         SubpathVisitor sensorVisitor(sensor_), lightVisitor(light_);
         Watched sensorWatched{sensorVisitor, see_};
         Watched lightWatched{lightVisitor, see_};
-        if (see_) see_->start(Carried::radiance, receiver_.at.P, Rgb(sight.weight), receiver_.at.segment);
-        walk(index_, sight.ray, Rgb(sight.weight), Carried::radiance, all_.limits, sensorRng, counts_,
-             sensorWatched);
+        if (!receiver_.covered) {
+            const Sight sight = sightFrom(receiver_, index_, sensorRng.uniform(draws::kStart, 2));
+            if (see_) see_->start(Carried::radiance, receiver_.at.P, Rgb(sight.weight), receiver_.at.segment);
+            walk(index_, sight.ray, Rgb(sight.weight), Carried::radiance, all_.limits, sensorRng, counts_,
+                 sensorWatched);
+        }
         const Emission emission =
             all_.lights.emit(lightRng.uniform(draws::kStart, 0), lightRng.uniform(draws::kStart, 1));
         if (emission.power != Rgb(0.0)) {

@@ -11,6 +11,7 @@ namespace halfdisk {
 /// What all joins of a pass share.
 struct JoinSetup {
     Problem problem;
+    Receivers receivers;
     LightTable lights;
     std::optional<ProfileBins> bins;
     int onlyS, onlyT;  // -1: any

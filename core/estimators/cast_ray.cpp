@@ -43,7 +43,8 @@ using Tracer = CastRay<StopObserver>;
 
 class CastRayEstimator : public Estimator {
  public:
-    CastRayEstimator(const Problem& problem, const ParamValues& params) : problem_(problem) {
+    CastRayEstimator(const Problem& problem, const ParamValues& params)
+        : problem_(problem), receivers_(problem.sensor, problem.index) {
         settings_.samples = as<std::uint32_t>(params[kSamples]);
         settings_.maxDepth = problem.maxDepth;
         settings_.maxSpecular = problem.maxSpecular;
@@ -61,10 +62,10 @@ class CastRayEstimator : public Estimator {
         Tracer tracer{{problem_.index, settings_, observer}};
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
             const Rng rng = Rng(problem_.seed, pass).child(pixel);
-            const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
-                                              rng.uniform(kOwnSample, 2), rng.uniform(kOwnSample, 3));
-            addTo(picture, pixel, valueAt(tracer, receiver, rng), counts);
+            const Receiver receiver =
+                receivers_.draw(pixel, rng.uniform(kOwnSample, 2), rng.uniform(kOwnSample, 3));
             ++counts.paths;
+            if (!receiver.covered) addTo(picture, pixel, valueAt(tracer, receiver, rng), counts);
         }
         counts.rays += tracer.rays;
         counts.cut += tracer.cut;
@@ -106,6 +107,7 @@ class CastRayEstimator : public Estimator {
     }
 
     Problem problem_;
+    Receivers receivers_;
     Settings settings_;
 };
 

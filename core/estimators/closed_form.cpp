@@ -11,7 +11,7 @@
 namespace halfdisk {
 namespace {
 
-/// Places of a pixel that are tried beforehand: both draws of startOf, and the one of sightFrom.
+/// Places of a pixel that are tried beforehand: both draws of Receivers, and the one of sightFrom.
 struct Place {
     double u, v, look;
 };
@@ -49,14 +49,15 @@ class UnoccludedLight {
 class ClosedFormEstimator : public Estimator {
  public:
     explicit ClosedFormEstimator(const Problem& problem)
-        : problem_(problem), light_(problem.index, problem.stop) {}
+        : problem_(problem), receivers_(problem.sensor, problem.index), light_(problem.index, problem.stop) {}
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
-        addPlaces(light_, problem_, pass, picture, counts);
+        addPlaces(light_, problem_, receivers_, pass, picture, counts);
     }
 
  private:
     Problem problem_;
+    Receivers receivers_;
     UnoccludedLight light_;
 };
 
@@ -75,6 +76,7 @@ std::string behind(const Scene& scene, const std::optional<Obstacle>& obstacle, 
 std::string faultAt(const Visibility& visibility, const Receiver& receiver, double look, ArcMemory& memory) {
     const SegmentIndex& index = visibility.index();
     const Scene& scene = index.scene();
+    if (receiver.covered) return {};
     if (receiver.at.medium != kNoMedium) return textOf(receiver.at.P) + " lies in glass";
     if (receiver.weighing == Weighing::cosine)
         return behind(scene, obstacleAt(visibility, receiver.at, memory), receiver.at.P);
@@ -94,6 +96,7 @@ std::string refusal(const Problem& problem, const ParamValues&) {
     if (problem.maxDepth > 0)
         return "closed-form is direct light alone: ask for depth 0, not " + std::to_string(problem.maxDepth);
     const Visibility visibility(problem.index, problem.stop);
+    const Receivers receivers(problem.sensor, problem.index);
     ArcMemory memory;
     const bool isField = std::holds_alternative<Field>(problem.sensor);
     const bool one =
@@ -101,7 +104,7 @@ std::string refusal(const Problem& problem, const ParamValues&) {
     for (std::uint32_t pixel = 0; pixel < pixelCount(problem.sensor); ++pixel)
         for (const Place& place : isField ? kOverCell : kAlong) {
             throwIfStopped(problem.stop);
-            const Receiver receiver = startOf(problem.sensor, problem.index, pixel, place.u, place.v);
+            const Receiver receiver = receivers.draw(pixel, place.u, place.v);
             const std::string fault = faultAt(visibility, receiver, place.look, memory);
             if (!fault.empty())
                 return "closed-form is for light with nothing in its way: " + fault +

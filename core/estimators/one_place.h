@@ -14,6 +14,7 @@ namespace halfdisk {
 template <class Light>
 Rgb receivedAt(const Light& light, const SegmentIndex& index, const Receiver& receiver, double u,
                Counts& counts, ArcMemory& memory) {
+    if (receiver.covered) return Rgb(0.0);
     if (receiver.weighing == Weighing::cosine) return light.irradiance(receiver.at, counts, memory);
     if (receiver.weighing == Weighing::even) return light.fluence(receiver.at.P, counts, memory);
     const Sight sight = sightFrom(receiver, index, u);
@@ -29,14 +30,14 @@ Rgb receivedAt(const Light& light, const SegmentIndex& index, const Receiver& re
 
 /// One pass: the same places for the same seed, pass and pixel.
 template <class Light>
-void addPlaces(const Light& light, const Problem& problem, std::uint64_t pass, Picture& picture,
-               Counts& counts) {
+void addPlaces(const Light& light, const Problem& problem, const Receivers& receivers, std::uint64_t pass,
+               Picture& picture, Counts& counts) {
     ArcMemory memory;
     for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
         throwIfStopped(problem.stop);
         const Rng rng = Rng(problem.seed, pass).child(pixel);
-        const Receiver receiver = startOf(problem.sensor, problem.index, pixel, rng.uniform(draws::kStart, 0),
-                                          rng.uniform(draws::kStart, 1));
+        const Receiver receiver =
+            receivers.draw(pixel, rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
         addTo(picture, pixel,
               receivedAt(light, problem.index, receiver, rng.uniform(draws::kStart, 2), counts, memory),
               counts);

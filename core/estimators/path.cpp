@@ -61,6 +61,7 @@ class PathEstimator : public Estimator {
  public:
     PathEstimator(const Problem& problem, const ParamValues& params)
         : problem_(problem),
+          receivers_(problem.sensor, problem.index),
           lights_(problem.index, placesOf(problem.sensor)),
           ways_{as<Emitters>(params[kEmitterWay]), as<Heuristic>(params[kHeuristic]),
                 as<Directions>(params[kDirections])},
@@ -75,8 +76,10 @@ class PathEstimator : public Estimator {
             throwIfStopped(problem_.stop, pixel);
             if (see && !see->wants(pixel)) continue;
             const Rng rng = Rng(problem_.seed, pass).child(pixel);
-            const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
-                                              rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
+            const Receiver receiver =
+                receivers_.draw(pixel, rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
+            ++counts.paths;
+            if (receiver.covered) continue;
             const Sight sight = sightFrom(receiver, problem_.index, rng.uniform(draws::kStart, 2));
             if (see) see->start(Carried::radiance, receiver.at.P, Rgb(sight.weight), receiver.at.segment);
             PathVisitor visitor(lights_, ways_, rng, limits_.scatterings, counts, see);
@@ -85,13 +88,13 @@ class PathEstimator : public Estimator {
             walk(problem_.index, sight.ray, Rgb(sight.weight), Carried::radiance, limits_, rng, counts,
                  watched);
             addTo(picture, pixel, visitor.found, counts);
-            ++counts.paths;
         }
         // [end]
     }
 
  private:
     Problem problem_;
+    Receivers receivers_;
     LightTable lights_;
     LightWays ways_;
     WalkLimits limits_;

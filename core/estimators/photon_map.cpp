@@ -71,6 +71,7 @@ class PhotonMapEstimator : public Estimator {
  public:
     PhotonMapEstimator(const Problem& problem, const ParamValues& params)
         : problem_(problem),
+          receivers_(problem.sensor, problem.index),
           paths_(params[kPhotons]),
           lights_(problem.index, placesOf(problem.sensor)),
           sender_(problem_, lights_, settingsOf(params)) {}
@@ -85,18 +86,20 @@ class PhotonMapEstimator : public Estimator {
             throwIfStopped(problem_.stop, pixel);
             if (problem_.record && !problem_.record->wants(pixel)) continue;
             const Rng rng = ofPass.child(pixel);
-            const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
-                                              rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
+            const Receiver receiver =
+                receivers_.draw(pixel, rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
+            ++counts.paths;
+            if (receiver.covered) continue;
             addTo(
                 picture, pixel,
                 gathers(receiver) ? light.received(receiver, rng, counts) : light.seen(receiver, rng, counts),
                 counts);
-            ++counts.paths;
         }
     }
 
  private:
     Problem problem_;
+    Receivers receivers_;
     double paths_;  // of light, in one pass
     LightTable lights_;
     PhotonSender sender_;

@@ -32,15 +32,17 @@ class RadiosityEstimator : public Estimator {
  public:
     RadiosityEstimator(const Problem& problem, const ParamValues& params)
         : problem_(problem),
+          receivers_(problem.sensor, problem.index),
           radiosity_(problem.index, as<std::uint32_t>(params[kPatches]),
                      params[kSolver] > 0.0 ? std::nullopt : std::optional(problem.maxDepth), problem.stop) {}
 
     void addPass(std::uint64_t pass, Picture& picture, Counts& counts) const override {
-        addPlaces(radiosity_, problem_, pass, picture, counts);
+        addPlaces(radiosity_, problem_, receivers_, pass, picture, counts);
     }
 
  private:
     Problem problem_;
+    Receivers receivers_;
     Radiosity radiosity_;
 };
 

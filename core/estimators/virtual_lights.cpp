@@ -51,6 +51,7 @@ class VirtualLightsEstimator : public Estimator {
  public:
     VirtualLightsEstimator(const Problem& problem, const ParamValues& params)
         : problem_(problem),
+          receivers_(problem.sensor, problem.index),
           lights_(problem.index, placesOf(problem.sensor)),
           paths_(as<std::uint32_t>(params[kPaths])),
           clamp_(params[kClamp]),
@@ -70,12 +71,13 @@ class VirtualLightsEstimator : public Estimator {
         for (std::uint32_t pixel = 0; pixel < picture.size(); ++pixel) {
             throwIfStopped(problem_.stop, pixel);
             const Rng rng = ofPass.child(pixel);
-            const Receiver receiver = startOf(problem_.sensor, problem_.index, pixel,
-                                              rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
+            const Receiver receiver =
+                receivers_.draw(pixel, rng.uniform(draws::kStart, 0), rng.uniform(draws::kStart, 1));
+            ++counts.paths;
+            if (receiver.covered) continue;
             const Rgb value = gathers(receiver) ? received(lamps, receiver, rng, counts)
                                                 : seen(lamps, receiver, rng, counts);
             addTo(picture, pixel, value, counts);
-            ++counts.paths;
         }
     }
 
@@ -120,6 +122,7 @@ class VirtualLightsEstimator : public Estimator {
     }
 
     Problem problem_;
+    Receivers receivers_;
     LightTable lights_;
     std::uint32_t paths_;
     double clamp_;

@@ -46,13 +46,15 @@ Row weightsOf(const Sensor& sensor, const SegmentIndex& index, const Patches& pa
     Row weights(patches.size());
     const Rng rng = Rng(1, 0);
     const std::uint32_t pixels = pixelCount(sensor);
+    const Receivers receivers(sensor, index);
     const auto isLit = [&](std::uint32_t segment, bool front) {
         const Patches::Range range = patches.of(segment, front);
         return range.first < range.end;
     };
     for (std::uint32_t k = 0; k < kPlaces; ++k) {
         const std::uint32_t pixel = static_cast<std::uint32_t>(std::uint64_t{k} * pixels / kPlaces);
-        const Receiver receiver = startOf(sensor, index, pixel, rng.uniform(k, 0), rng.uniform(k, 1));
+        const Receiver receiver = receivers.draw(pixel, rng.uniform(k, 0), rng.uniform(k, 1));
+        if (receiver.covered) continue;
         if (receiver.weighing == Weighing::cosine && receiver.at.segment != kNoSegment) {
             const Segment& wall = index.scene().segments[receiver.at.segment];
             const double u = glm::dot(receiver.at.P - wall.a, wall.b - wall.a) /

@@ -100,7 +100,7 @@ Drag dragTwiceIfSlow(const Report& report, const LessonEntry& entry, Effort effo
 
 void benchFrame(Report& report, Effort effort) {
     report.print(
-        "Time of our thread per frame while P is dragged, N = 64, maxDepth = 2, every view on (required: < "
+        "CPU time per frame while P is dragged, N = 64, maxDepth = 2, every view on (required: < "
         "{} ms)\n",
         kFrameMilliseconds);
     report.print("  {:<24} {:>10} {:>10} {:>10}\n", "lesson", "median", "95 %", "most");

@@ -119,6 +119,10 @@ TEST_CASE("scene check warns of a lamp that its ceiling hides") {
     };
     CHECK(warned(ceiling + lamp));
     CHECK_FALSE(warned(lamp + ceiling));
+    const std::string frame = "[[segment]]\nname = \"frame\"\na = [1.2, 2]\nb = [1, 2]\n";
+    std::ofstream(folder / "scene.toml") << frame + lamp;
+    CHECK(holds(runProgram({"scene", "check", folder / "scene.toml"}).out,
+                "\"lamp\" lies on \"frame\", which is written before it and hides a part of it"));
 }
 
 TEST_CASE("scene write saves an equal scene, and writing that again the same bytes") {

@@ -17,8 +17,8 @@ using namespace halfdisk::test;
 namespace {
 
 constexpr const char* kStages[] = {
-    "one_wall",    "two_patches", "closed_room",     "occluder", "corner", "corridor",        "mirror_room",
-    "glossy_wall", "glass_disk",  "lens_and_screen", "sky_only", "mixed",  "sun_through_slab"};
+    "one_wall",    "two_patches", "closed_room",     "occluder", "corner", "corridor",         "mirror_room",
+    "glossy_wall", "glass_disk",  "lens_and_screen", "sky_only", "mixed",  "sun_through_slab", "covered"};
 constexpr std::size_t kFilms = 50;  // comparisons in a stage, about, for the threshold
 
 // Of the runs that must be told from the right ones: a bias of five percent is then worth ten standard errors

@@ -37,7 +37,7 @@ TEST_CASE("sensor: each pixel of an eye weighs directions so that even light giv
     const Eye eye{{0.5, 0.5}, glm::normalize(Vec2(1.0, 0.4)), 1.9};
     const Sensor sensor = EyeStrip{eye, 7};
     for (std::uint32_t pixel = 0; pixel < 7; ++pixel) {
-        const Receiver receiver = startOf(sensor, index, pixel, 0.5, 0.5);
+        const Receiver receiver = Receivers(sensor, index).draw(pixel, 0.5, 0.5);
         // The midpoint rule: the weight jumps at the pixel's edges.
         constexpr int kSteps = 200'000;
         double sum = 0.0;
@@ -51,7 +51,7 @@ TEST_CASE("sensor: each pixel of an eye weighs directions so that even light giv
             CHECK(responseTo(receiver, sightFrom(receiver, index, u).ray.direction).pixel == pixel);
     }
     // Pixel 0 is the leftmost.
-    const Vec2 first = sightFrom(startOf(sensor, index, 0, 0.5, 0.5), index, 0.5).ray.direction;
+    const Vec2 first = sightFrom(Receivers(sensor, index).draw(0, 0.5, 0.5), index, 0.5).ray.direction;
     CHECK(cross(eye.direction, first) > 0.0);
 }
 
@@ -63,12 +63,13 @@ TEST_CASE(
     const Profile profile{{1, 0}, 9};  // 1 m, then 2 m
     const Sensor sensor = profile;
     const ProfileBins bins(profile, index);
+    const Receivers receivers(sensor, index);
     CHECK(bins.binLength() == doctest::Approx(1.0 / 3.0));
     CHECK_FALSE(bins.at(2, 0.5));
     Random random(2);
     for (int i = 0; i < 2000; ++i) {
         const auto bin = static_cast<std::uint32_t>(random.integer(0, 8));
-        const Receiver receiver = startOf(sensor, index, bin, random.in(0.0, 1.0), 0.5);
+        const Receiver receiver = receivers.draw(bin, random.in(0.0, 1.0), 0.5);
         const Segment& on = scene.segments[receiver.at.segment];
         const double u = glm::length(receiver.at.P - on.a) / glm::length(on.b - on.a);
         REQUIRE(bins.at(receiver.at.segment, u)->bin == bin);

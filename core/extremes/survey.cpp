@@ -35,13 +35,17 @@ TrueHit trueHit(const Scene& scene, const Start& start) {
     const Long ex = Long(from.b.x) - from.a.x, ey = Long(from.b.y) - from.a.y;
     const Long length = std::sqrt(ex * ex + ey * ey), c = std::cos(Long(start.theta)),
                s = std::sin(Long(start.theta));
-    const Long ox = from.a.x + start.u * ex, oy = from.a.y + start.u * ey;
+    // As seen from the wall's own end: far from the origin a sum of coordinates would be rounded by more than
+    // the start may be away from a corner, and their differences are not rounded at all.
+    const Long ox = start.u * ex, oy = start.u * ey;
+    const auto x = [&](Vec2 P) { return (Long(P.x) - from.a.x) - ox; };
+    const auto y = [&](Vec2 P) { return (Long(P.y) - from.a.y) - oy; };
     const Long dx = (c * ex - s * ey) / length, dy = (c * ey + s * ex) / length;
     TrueHit nearest;
     for (std::uint32_t i = 0; i < scene.segments.size(); ++i) {
         if (i == start.wall) continue;
         const Segment& wall = scene.segments[i];
-        const Long ax = wall.a.x - ox, ay = wall.a.y - oy, bx = wall.b.x - ox, by = wall.b.y - oy;
+        const Long ax = x(wall.a), ay = y(wall.a), bx = x(wall.b), by = y(wall.b);
         const Long sideA = dx * ay - dy * ax, sideB = dx * by - dy * bx;
         if ((sideA >= 0) == (sideB >= 0)) continue;
         const Long wx = Long(wall.b.x) - wall.a.x, wy = Long(wall.b.y) - wall.a.y;
@@ -49,7 +53,7 @@ TrueHit trueHit(const Scene& scene, const Start& start) {
         // Of walls at one place the one that faces the ray is met (see SegmentIndex).
         const bool front = sideB > sideA, tie = t == nearest.t && front && !nearest.front;
         if (!(t > 0) || (t >= nearest.t && !tie)) continue;
-        nearest = {i, t, ox + t * dx, oy + t * dy, front};
+        nearest = {i, t, from.a.x + (ox + t * dx), from.a.y + (oy + t * dy), front};
     }
     return nearest;
 }

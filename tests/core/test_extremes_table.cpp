@@ -118,6 +118,28 @@ TEST_CASE("survey: a wall that float gives no length is not finite") {
     CHECK(floatFitOf(someRoom()).holds());
 }
 
+TEST_CASE("survey: far from the origin rays from a round thing's corners are judged as they are") {
+    // At 1e6 m a coordinate of the truth itself would be rounded by more than the start is away from a
+    // corner.
+    for (const double away : {1e6, 3e7}) {
+        Scene scene;
+        const Vec2 corner(away, -away), middle = corner + Vec2(1.0);
+        const Vec2 corners[] = {corner, corner + Vec2(2.0, 0.0), corner + Vec2(2.0), corner + Vec2(0.0, 2.0)};
+        for (int i = 0; i < 4; ++i) addWall(scene, corners[i], corners[(i + 1) % 4]);
+        constexpr int kFacets = 64;
+        const auto onBall = [&](int i) {
+            const double angle = -2.0 * kPi * (i % kFacets) / kFacets;
+            return middle + 0.4 * Vec2(std::cos(angle), std::sin(angle));
+        };
+        for (int i = 0; i < kFacets; ++i) addWall(scene, onBall(i), onBall(i + 1));
+        INFO(away);
+        const ExtremeCounts ours = surveyOurs(scene, {}, {.count = 100'000});
+        CHECK(ours.faults() == 0);
+        const ExtremeCounts naive = surveyNaive(scene, {}, {}, Precision::twice, EpsilonPolicy::fixed, 1e-4);
+        CHECK(naive.faults() > 0);
+    }
+}
+
 TEST_CASE("placed: light stays as it was, wherever the scene is put") {
     Scene scene = litBox();
     for (const Placement& placing : {Placement{1e-3, 0.0}, Placement{1e3, 10.0}, Placement{1.0, 1e3}}) {

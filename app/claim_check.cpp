@@ -9,7 +9,6 @@
 
 #include "app/claim_picture.h"
 #include "app/cli_probe_passes.h"
-#include "app/estimator_arguments.h"
 #include "app/light_answer.h"
 #include "core/reference.h"
 
@@ -65,16 +64,13 @@ Outcome byPasses(const SegmentIndex& index, const ProbeQuestion& question, const
 
 Outcome outcomeOf(const SegmentIndex& index, const Trial& trial, unsigned threads) {
     ProbeQuestion question;
-    question.estimator = &estimatorArgument(trial.estimator);
+    question.estimator = findEstimator(trial.maker.estimator);
     question.settings = trial.settings;
     question.repeats = trial.repeats;
     question.threads = threads;
     const ProbePlace place = placeOf(index, trial);
-    if (question.isCastRay()) {
-        if (!trial.params.empty()) throw InputError("\"params\" are not for cast-ray");
-        return byCastRay(index, question, place);
-    }
-    question.params = paramArguments(*question.estimator, trial.params);
+    if (question.isCastRay()) return byCastRay(index, question, place);
+    question.params = trial.maker.params;
     return byPasses(index, question, place);
 }
 

@@ -5,7 +5,6 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "app/estimator_arguments.h"
 #include "app/exact_stages.h"
 #include "app/instrument_stages.h"
 #include "app/light_stages.h"
@@ -34,17 +33,13 @@ View viewOf(const ClaimPlace& place) {
     return place.scene->scene.eye ? View::eye : View::profile;
 }
 
-Maker makerOf(const Trial& trial) {
-    const EstimatorInfo& info = estimatorArgument(trial.estimator);
-    return {trial.estimator, paramArguments(info, trial.params), std::nullopt};
-}
-
 /// The run that is recorded of the trial's estimator.
 Run runOf(const Trial& trial) {
     for (const auto& run : kRuns)
-        if (run.name == trial.estimator && run.value != Run::castRay) return run.value;
-    throw InputError(fmt::format(
-        "{} follows no paths from a pixel, expected an estimator that does, such as path", trial.estimator));
+        if (run.name == trial.maker.estimator && run.value != Run::castRay) return run.value;
+    throw InputError(
+        fmt::format("{} follows no paths from a pixel, expected an estimator that does, such as path",
+                    trial.maker.estimator));
 }
 
 LightQuestion questionOf(const ClaimPlace& place) {
@@ -62,7 +57,7 @@ LightAnswer finishedPicture(const ClaimPlace& place, View view) {
     answer.asked = questionOf(place);
     answer.asked.pictures.set(view, true);
     answer.asked.pictures.set(View::difference, true);
-    answer.asked.makers.first = makerOf(place.trial);
+    answer.asked.makers.first = place.trial.maker;
     if (!sensorOf(view, answer.asked)) throw InputError("the scene has no eye");
     PictureCache cache;
     const std::atomic<bool> cancelled{false};
@@ -115,7 +110,7 @@ double raysToWished(const ClaimPlace& place) {
     const Sensor sensor = instrumentSensor(questionOf(place));
     const Problem problem = problemOf(place, sensor);
     const double wished = place.trial.instruments.wishedError;
-    const Maker maker = makerOf(place.trial);
+    const Maker& maker = place.trial.maker;
     try {
         std::optional<TradeReference> reference = exactReference(problem);
         if (!reference) reference = longRun(problem, {.rays = kReferenceRays});
@@ -140,7 +135,7 @@ double heaviestShare(const ClaimPlace& place) {
     LightAnswer answer;
     answer.asked = questionOf(place);
     answer.asked.pixel = place.trial.pixel;
-    answer.asked.makers.first = makerOf(place.trial);
+    answer.asked.makers.first = place.trial.maker;
     answer.asked.run = run;
     answer.point = shadedPointOn(place.scene->index, place.trial.at.segment, place.trial.at.t);
     recordPathRun(answer, std::atomic<bool>{false});

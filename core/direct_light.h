@@ -43,7 +43,8 @@ DrawnLight drawLight(const LightTable& lights, Vec2 P, double pick, double u, co
     const Ray ray = rayTo(way.L);
     ++counts.rays;
     if (lights.index().occluded(ray, way.distance, way.segment)) return drawn;
-    drawn.L_i = way.L_i * transmittance(lights.index(), ray.medium, way.distance) / picked.probability;
+    drawn.L_i = way.L_i / picked.probability;
+    if (ray.medium != kNoMedium) drawn.L_i *= transmittance(lights.index(), ray.medium, way.distance);
     return drawn;
 }
 

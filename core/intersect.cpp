@@ -45,7 +45,8 @@ SegmentIndex::SegmentIndex(const Scene& scene, IndexMethod method, const Kernels
         check(scene, i);
         const Segment& s = scene.segments[i];
         const double length = glm::length(s.b - s.a), shift = shiftOf(s);
-        edges_.push_back({frontNormal(s), length, shift, std::min(0.5, kEndShifts * shift / length)});
+        edges_.push_back(
+            {frontNormal(s), length, shift, std::min(0.5, kEndShifts * shift / length), isSmooth(s)});
         hasGlass_ = hasGlass_ || std::holds_alternative<Dielectric>(scene.materials[s.material]);
         if (isEmitter(s)) emitters_.push_back(static_cast<std::uint32_t>(i));
     }

@@ -58,6 +58,8 @@ class SegmentIndex {
         return scene_->materials[scene_->segments[segment].material];
     }
     double length(std::uint32_t segment) const { return edges_[segment].length; }
+    /// Whether it is a facet of a round thing (isSmooth).
+    bool isRound(std::uint32_t segment) const { return edges_[segment].round; }
 
     /// Point at u of a segment, kept away from both ends so that it stays inside sharp corners too.
     Vec2 pointOn(std::uint32_t segment, double u) const;
@@ -71,6 +73,7 @@ class SegmentIndex {
         double length;       // m
         double originShift;  // m
         double margin;       // of u at both ends, see pointOn
+        bool round;          // a facet of a round thing: beside the normal, for every hit asks
     };
 
     void build();

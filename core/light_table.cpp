@@ -47,7 +47,7 @@ Vec2 drawFrom(const std::vector<double>& skyUpTo, double u) {
 }  // namespace
 
 LightTable::LightTable(const SegmentIndex& index, const std::vector<Vec2>& extra)
-    : index_(&index), covers_(index, index.emitters()) {
+    : index_(&index), covers_(index, index.emitters()), count_(lightCount(index)) {
     const Scene& scene = index.scene();
     Vec2 low(kInfinity), high(-kInfinity);
     const auto include = [&](Vec2 point) {
@@ -114,8 +114,7 @@ double LightTable::pdfEnvironment(Vec2 direction) const {
 }
 
 LightSample LightTable::sampleFrom(std::uint32_t light, Vec2 P, double u) const {
-    if (light < index_->scene().lights.size() + index_->emitters().size())
-        return sampleLight(*index_, light, P, u);
+    if (light < count_) return sampleLight(*index_, light, P, u);
     return sampleSky(*this, skyUpTo_, u);
 }
 

@@ -36,7 +36,7 @@ class LightTable {
 
     const SegmentIndex& index() const { return *index_; }
     bool isDark() const { return total_ == 0.0; }
-    std::uint32_t environmentLight() const { return lightCount(*index_); }
+    std::uint32_t environmentLight() const { return count_; }
 
     /// Circle (m) that holds everything: light from infinitely far away sets out from a tangent to it.
     Vec2 center() const { return center_; }
@@ -75,6 +75,7 @@ class LightTable {
 
     const SegmentIndex* index_;
     CoveredWalls covers_;  // of lamps
+    std::uint32_t count_;  // of lights without the environment
     Vec2 center_{0.0};
     double radius_ = 0.0;
     std::vector<Rgb> powers_;

@@ -52,7 +52,7 @@ std::optional<Scattered> sampleHalfDiskOf(const SurfacePoint& at, Carried carrie
 // Most walls are flat and matt: they are spared all questions that only others raise. Null if it is another.
 const Diffuse* flatMattWall(const SurfacePoint& at) {
     const auto* wall = std::get_if<Diffuse>(at.material);
-    return wall && at.round == at.N ? wall : nullptr;
+    return wall && !at.isRound ? wall : nullptr;
 }
 
 // All other walls. Out of line, so that matt ones need not make room for what these need.

@@ -19,6 +19,7 @@ struct SurfacePoint {
     Vec2 from;   ///< unit, back along the ray
     std::uint32_t segment;
     bool front;            ///< that side is the wall's front
+    bool isRound;          ///< a facet of a round thing
     std::uint32_t medium;  ///< glass on that side
     const Material* material;
 };
@@ -36,13 +37,14 @@ Vec2 roundNormalAt(const SegmentIndex& index, const Hit& hit, Vec2 from, Vec2 N)
 /// `ray` of unit direction.
 inline SurfacePoint surfaceAt(const SegmentIndex& index, const Ray& ray, const Hit& hit) {
     const Vec2 normal = index.normal(hit.segment), N = hit.front ? normal : -normal, from = -ray.direction;
-    const bool smooth = isSmooth(index.scene().segments[hit.segment]);
+    const bool isRound = index.isRound(hit.segment);
     return {index.pointOn(hit.segment, hit.u),
             N,
-            smooth ? roundNormalAt(index, hit, from, N) : N,
+            isRound ? roundNormalAt(index, hit, from, N) : N,
             from,
             hit.segment,
             hit.front,
+            isRound,
             ray.medium,
             &index.material(hit.segment)};
 }

@@ -86,7 +86,7 @@ void walk(const SegmentIndex& index, Ray ray, Rgb throughput, Carried carried, c
         ++counts.rays;
         visitor.fly(ray, hit ? hit.t : kInfinity, throughput, scatterings);
         if (!hit) return visitor.escape(ray, throughput, scatterings);
-        throughput *= transmittance(index, ray.medium, hit.t);
+        if (ray.medium != kNoMedium) throughput *= transmittance(index, ray.medium, hit.t);
         const Arrival arrival{surfaceAt(index, ray, hit), ray, hit, throughput, vertex, scatterings};
         if (!actsThere(index, arrival.at)) return visitor.end(Ending::back);
         if (!visitor.arrive(arrival)) return visitor.end(Ending::visitor);

@@ -11,6 +11,7 @@
 
 #include "core/settings.h"
 #include "lessons/instruments.h"
+#include "lessons/maker.h"
 #include "lessons/toml_document.h"
 #include "lessons/wall_point.h"
 
@@ -88,8 +89,7 @@ inline constexpr std::array<Named<ClaimPicture>, 4> kClaimPictures{{
 struct Trial {
     Settings settings;
     WallPoint at{0, 0.5};
-    std::string estimator = "cast-ray";
-    std::vector<std::string> params;       ///< NAME=VALUE, of estimators but cast-ray
+    Maker maker = makerOf("cast-ray");     ///< at P cast-ray goes by `settings`
     std::uint64_t repeats = 16;            ///< of cast-ray; of others, `settings.samples` are independent
     std::optional<std::uint32_t> pixel{};  ///< of Quantity::heaviest: one of the eye's strip
     ClaimPicture picture = ClaimPicture::seen;  ///< of Quantity::noise and pictureError

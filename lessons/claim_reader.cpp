@@ -1,39 +1,57 @@
 #include "lessons/claim_reader.h"
 
+#include "core/estimators/all.h"
+#include "lessons/claim_keys.h"
 #include "lessons/instruments_reader.h"
+#include "lessons/maker_reader.h"
 #include "lessons/step_values_reader.h"
 
 namespace halfdisk {
 namespace {
 
 constexpr TextRule kSentenceRule{500, false, false};
-constexpr TextRule kIdRule{100, false, false};
 constexpr NumberRule kNumberRule{-1e300, 1e300, "a finite number"};
 constexpr NumberRule kToleranceRule{0.0, 1e300, "a number from 0 on"};
 constexpr WholeRule kRepeatsRule{1, 1'000'000};
 constexpr StepLimits kTrialLimits{10'000'000, 1000};
-constexpr std::size_t kMostParams = 100;
 
-/// `gather = 100` as the command line has it: gather=100.
-std::string paramText(const std::string& file, const TomlEntry& entry) {
-    const TomlValue& value = entry.value;
-    if (const auto* text = std::get_if<std::string>(&value.data))
-        return fmt::format("{}={}", entry.key, *text);
-    if (const auto* whole = std::get_if<std::int64_t>(&value.data))
-        return fmt::format("{}={}", entry.key, *whole);
-    return fmt::format("{}={}", entry.key, readNumber(file, entry.key, value, kNumberRule));
+/// Throws InputError for a key that means nothing for what is measured.
+void checkKeys(const TableReader& table, Quantity quantity) {
+    for (const ClaimKey& key : kClaimKeys) {
+        if (!table.has(key.name) || key.isFor(quantity)) continue;
+        std::string quantities;
+        for (const auto& other : kQuantities)
+            if (key.isFor(other.value))
+                quantities += fmt::format("{}\"{}\"", quantities.empty() ? "" : ", ", other.name);
+        failAt(table.file(), table.at(key.name).where,
+               fmt::format("\"{}\" means nothing where \"{}\" is measured, {}", key.name,
+                           nameOf(kQuantities, quantity),
+                           quantities.empty() ? "nor in any claim: expected \"wishedError\""
+                                              : "expected it with one of " + quantities));
+    }
+}
+
+/// Parameters that are named replace all that were named before.
+void readTrialMaker(TableReader& table, Quantity quantity, Maker& maker) {
+    std::optional<Maker> read = table.has("params") ? makerOf(maker.estimator) : maker;
+    readMaker(table, read);
+    maker = *read;
+    if (table.has("params") && isSampledAtPoint(quantity) && maker.estimator == kCastRayEstimator.id)
+        failAt(table.file(), table.at("params").where,
+               "\"params\" are not for cast-ray at P, expected its keys \"samples\", \"sampler\" and "
+               "\"emitters\" beside them");
 }
 
 /// Replaces what the inline table says.
 void readTrial(const std::string& file, std::string_view key, const TomlValue& value, const Scene& scene,
-               Trial& trial) {
+               Quantity quantity, Trial& trial) {
     TableReader table(file, readTable(file, key, value), value.where, fmt::format("\"{}\" of a claim", key));
+    checkKeys(table, quantity);
     readSettings(table, scene, kTrialLimits, trial.settings, trial.at);
     if (const TomlValue* specular = table.optional(kMaxSpecularInfo.name))
         trial.settings.maxSpecular = static_cast<std::uint32_t>(readWhole(
             file, kMaxSpecularInfo.name, *specular, {kMaxSpecularInfo.least, kMaxSpecularInfo.most}));
-    if (const TomlValue* estimator = table.optional("estimator"))
-        trial.estimator = readText(file, "estimator", *estimator, kIdRule);
+    readTrialMaker(table, quantity, trial.maker);
     if (const TomlValue* repeats = table.optional("repeats"))
         trial.repeats = readWhole(file, "repeats", *repeats, kRepeatsRule);
     if (const TomlValue* pixel = table.optional("pixel"))
@@ -41,13 +59,6 @@ void readTrial(const std::string& file, std::string_view key, const TomlValue& v
     if (const TomlValue* picture = table.optional("picture"))
         trial.picture = readNamed(file, "picture", *picture, kClaimPictures);
     readInstruments(table, trial.instruments);
-    if (const TomlValue* params = table.optional("params")) {
-        trial.params.clear();
-        const TomlTable& entries = readTable(file, "params", *params);
-        if (entries.entries.size() > kMostParams)
-            failAt(file, params->where, "\"params\" has too many parameters");
-        for (const TomlEntry& entry : entries.entries) trial.params.push_back(paramText(file, entry));
-    }
     table.finish();
 }
 
@@ -98,8 +109,8 @@ Claim readClaim(const LessonText& text, const TomlValue& value, const Scene& sce
     claim.of.at = step.at;
     claim.of.pixel = step.pixel;
     claim.of.instruments = step.instruments;
-    if (with != nullptr) readTrial(file, "with", *with, scene, claim.of);
-    if (over != nullptr) readTrial(file, "over", *over, scene, claim.over.emplace(claim.of));
+    if (with != nullptr) readTrial(file, "with", *with, scene, claim.quantity, claim.of);
+    if (over != nullptr) readTrial(file, "over", *over, scene, claim.quantity, claim.over.emplace(claim.of));
     return claim;
 }
 

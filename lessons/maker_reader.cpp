@@ -49,6 +49,8 @@ void readParams(const std::string& file, const TomlValue& value, Maker& maker) {
     }
 }
 
+}  // namespace
+
 void readMaker(TableReader& table, std::optional<Maker>& maker) {
     const std::string& file = table.file();
     constexpr TextRule kIdRule{100, false, false};
@@ -63,8 +65,6 @@ void readMaker(TableReader& table, std::optional<Maker>& maker) {
         readParams(file, *params, *maker);
     }
 }
-
-}  // namespace
 
 void readMakers(TableReader& table, Makers& makers) {
     readMaker(table, makers.first);

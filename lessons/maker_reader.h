@@ -9,6 +9,9 @@ namespace halfdisk {
 /// Depth that a maker may have of its own.
 inline constexpr std::uint64_t kMostMakerDepth = 64;
 
+/// Replaces what `estimator` and `params` of the table say; faults as of readMakers.
+void readMaker(TableReader& table, std::optional<Maker>& maker);
+
 /// Replaces what the table says. A new estimator begins with its own values. Throws InputError for an unknown
 /// estimator or parameter and for a value that it does not take.
 void readMakers(TableReader& table, Makers& makers);

@@ -39,7 +39,7 @@ TEST_CASE("a claim measures what its step sets, but for what it sets itself") {
     const Claim claim = claimOf(
         "says = 'Noise'\nmeasure = 'variance'\nwith = { samples = 8, specular = 2, repeats = 50, estimator = "
         "'path' }\n"
-        "over = { sampler = 'cosine', params = { roulette = 0, mis = 'off', share = 0.5 } }\natLeast = 10\n");
+        "over = { sampler = 'cosine', params = { roulette = 9, emitters = 'both' } }\natLeast = 10\n");
     CHECK(claim.says == "Noise");
     CHECK(claim.quantity == Quantity::variance);
     CHECK(claim.relation == Relation::atLeast);
@@ -49,11 +49,12 @@ TEST_CASE("a claim measures what its step sets, but for what it sets itself") {
     CHECK(claim.of.at == WallPoint{0, 0.25});
     CHECK(claim.of.settings.maxSpecular == 2);
     CHECK(claim.of.repeats == 50);
-    CHECK(claim.of.estimator == "path");
+    CHECK(claim.of.maker == makerOf("path"));
     REQUIRE(claim.over.has_value());
     CHECK(claim.over->settings.samples == 8);
     CHECK(claim.over->settings.sampler == Sampler::cosine);
-    CHECK(claim.over->params == std::vector<std::string>{"roulette=0", "mis=off", "share=0.5"});
+    CHECK(claim.over->maker.estimator == "path");
+    CHECK(claim.over->maker.params == ParamValues{2.0, 0.0, 0.0, 9.0});
 
     const Claim plain = claimOf("says = 'R'\nmeasure = 'rays'\nequals = 5\ntolerance = 0.5");
     CHECK(plain.of.settings.samples == 4);
@@ -75,6 +76,17 @@ TEST_CASE("claims are checked") {
     check(kSays + "equals = 1\nwith = { at = ^'wall:0' }", {"\"at\": there is no wall \"wall\""});
     check(kSays + "equals = 1\nwith = { ^event = 3 }", {"unknown key \"event\""});
     check(kSays + "equals = 1\nover = ^3", {"\"over\" is a whole number", "expected a table"});
-    check(kSays + "equals = 1\nover = { params = { a = ^true } }",
-          {"\"a\" is true or false", "expected a finite number"});
+    check(kSays + "equals = 1\nover = { estimator = 'path', params = { a = ^1 } }",
+          {"parameter of path \"a\" is unknown", "roulette"});
+    check(kSays + "equals = 1\nover = { estimator = 'path', params = { roulette = ^true } }",
+          {"\"roulette\" is true or false", "expected a whole number"});
+    check(kSays + "equals = 1\nwith = { estimator = ^'pth' }", {"estimator \"pth\" is unknown", "path"});
+    check(kSays + "equals = 1\nwith = { params = ^{ samples = 3 } }",
+          {"\"params\" are not for cast-ray at P", "\"sampler\""});
+    check(kSays + "equals = 1\nwith = { picture = ^'eye' }",
+          {"\"picture\" means nothing where \"rays\" is measured", "\"noise\", \"pictureError\""});
+    check("says = 'W'\nmeasure = 'exact'\nequals = 1\nover = { repeats = ^3 }",
+          {"\"repeats\" means nothing where \"exact\"", "\"irradiance\""});
+    check("says = 'W'\nmeasure = 'raysTo'\nequals = 1\nwith = { tradeCost = ^'rays' }",
+          {"\"tradeCost\" means nothing", "expected \"wishedError\""});
 }

@@ -36,7 +36,7 @@ View viewOf(const ClaimPlace& place) {
 
 Maker makerOf(const Trial& trial) {
     const EstimatorInfo& info = estimatorArgument(trial.estimator);
-    return {trial.estimator, paramArguments(info, trial.params), std::nullopt};
+    return {trial.estimator, paramArguments(info, trial.params)};
 }
 
 /// The run that is recorded of the trial's estimator.
@@ -78,6 +78,7 @@ Problem problemOf(const ClaimPlace& place, const Sensor& sensor) {
     return {.index = place.scene->index,
             .sensor = sensor,
             .maxDepth = place.trial.settings.maxDepth,
+            .maxSpecular = place.trial.settings.maxSpecular,
             .seed = place.trial.settings.seed};
 }
 

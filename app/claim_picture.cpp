@@ -42,6 +42,13 @@ Run runOf(const Trial& trial) {
                     trial.maker.estimator));
 }
 
+/// What makes its picture, which follows as many mirrors and skins of glass as the trial does.
+Maker pictureMaker(const Trial& trial) {
+    Maker maker = trial.maker;
+    maker.specular = trial.settings.maxSpecular;
+    return maker;
+}
+
 LightQuestion questionOf(const ClaimPlace& place) {
     LightQuestion asked;
     asked.scene = place.scene;
@@ -57,7 +64,7 @@ LightAnswer finishedPicture(const ClaimPlace& place, View view) {
     answer.asked = questionOf(place);
     answer.asked.pictures.set(view, true);
     answer.asked.pictures.set(View::difference, true);
-    answer.asked.makers.first = place.trial.maker;
+    answer.asked.makers.first = pictureMaker(place.trial);
     if (!sensorOf(view, answer.asked)) throw InputError("the scene has no eye");
     PictureCache cache;
     const std::atomic<bool> cancelled{false};
@@ -73,6 +80,7 @@ Problem problemOf(const ClaimPlace& place, const Sensor& sensor) {
     return {.index = place.scene->index,
             .sensor = sensor,
             .maxDepth = place.trial.settings.maxDepth,
+            .maxSpecular = place.trial.settings.maxSpecular,
             .seed = place.trial.settings.seed};
 }
 
@@ -135,7 +143,7 @@ double heaviestShare(const ClaimPlace& place) {
     LightAnswer answer;
     answer.asked = questionOf(place);
     answer.asked.pixel = place.trial.pixel;
-    answer.asked.makers.first = place.trial.maker;
+    answer.asked.makers.first = pictureMaker(place.trial);
     answer.asked.run = run;
     answer.point = shadedPointOn(place.scene->index, place.trial.at.segment, place.trial.at.t);
     recordPathRun(answer, std::atomic<bool>{false});

@@ -46,10 +46,11 @@ int answerByPasses(const SegmentIndex& index, const ProbeQuestion& question, con
     if (texts.json) {
         Json object = passesJson(answer);
         if (required) object["requirements"] = requirementsJson(*required, index);
+        if (question.plan.automatic) tellLost(*required, object);
         writeJson(object);
     } else {
         if (!question.look) answer.exact = exactIrradiance(index.scene(), question.settings, place.shaded);
-        writeOutput(passesTable(answer));
+        writeOutput(passesTable(answer) + (question.plan.automatic ? lostWarning(*required) : std::string()));
     }
     return measurement.interrupted ? kExitStopped : kExitSuccess;
 }

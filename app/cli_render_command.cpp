@@ -61,9 +61,10 @@ int runRender(PictureSensor sensor, const RenderTexts& texts) {
     if (texts.json) {
         Json object = renderJson(result);
         if (required) object["requirements"] = requirementsJson(*required, index);
+        if (request.plan.automatic) tellLost(*required, object);
         writeJson(object);
     } else {
-        writeOutput(renderTable(result));
+        writeOutput(renderTable(result) + (request.plan.automatic ? lostWarning(*required) : std::string()));
     }
     return measurement.interrupted ? kExitStopped : kExitSuccess;
 }

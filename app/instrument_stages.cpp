@@ -23,6 +23,13 @@ std::optional<std::uint32_t> wallOf(const LightQuestion& asked) {
     return asked.scene->scene.eye ? std::nullopt : std::optional(asked.at.segment);
 }
 
+/// Mirrors and skins of glass in a row that the trade follows: as many as the pictures, so that a setting
+/// that is put on the stage shows what was measured.
+std::uint32_t tradeSpecular(const LightQuestion& asked) {
+    const auto& maker = asked.makers.first;
+    return maker && maker->specular ? *maker->specular : asked.settings.maxSpecular;
+}
+
 /// Throws away what answers another question.
 void tidy(const LightQuestion& asked, InstrumentCache& cache) {
     const bool same = cache.scene == asked.scene && cache.seed == asked.settings.seed &&
@@ -35,6 +42,13 @@ void tidy(const LightQuestion& asked, InstrumentCache& cache) {
         cache.depth = asked.settings.maxDepth;
         cache.wall = wallOf(asked);
         cache.effort = asked.effort;
+    }
+    if (cache.specular != tradeSpecular(asked)) {
+        cache.specular = tradeSpecular(asked);
+        if (traitsOf(asked.scene->scene).specular) {  // else there is nothing to follow
+            cache.answers.trade.reset();
+            cache.reference.reset();
+        }
     }
     const InstrumentSettings& settings = asked.instrumentSettings;
     if (cache.tolerance != settings.tolerance) cache.answers.unforced.reset();
@@ -136,6 +150,7 @@ Problem problemOf(const LightQuestion& asked, const Sensor& sensor, const StopQu
     return {.index = asked.scene->index,
             .sensor = sensor,
             .maxDepth = asked.settings.maxDepth,
+            .maxSpecular = tradeSpecular(asked),
             .seed = asked.settings.seed,
             .stop = stop};
 }

@@ -14,6 +14,7 @@ struct InstrumentCache {
     std::shared_ptr<const PreparedScene> scene;
     std::uint64_t seed = 0;
     std::uint32_t depth = 0;
+    std::uint32_t specular = 0;         ///< of the trade
     std::optional<std::uint32_t> wall;  ///< whose profile was measured; none: the eye's strip
     double effort = 1.0;
     double tolerance = 0.0;

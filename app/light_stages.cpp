@@ -251,7 +251,10 @@ void recordPathRun(LightAnswer& answer, const std::atomic<bool>& cancelled) {
     const auto strip = asked.pixel ? eyeStripOf(asked.scene->scene) : std::nullopt;
     Settings settings = asked.settings;
     // A pixel's paths are those of the strip.
-    if (strip && sameMaker) settings.maxDepth = maker->depth.value_or(settings.maxDepth);
+    if (strip && sameMaker) {
+        settings.maxDepth = maker->depth.value_or(settings.maxDepth);
+        settings.maxSpecular = maker->specular.value_or(settings.maxSpecular);
+    }
     try {
         answer.pathRun = std::make_shared<const PathRun>(recordPaths(
             info, asked.scene->index, strip.value_or(Probe{answer.point}), strip ? *asked.pixel : 0, settings,

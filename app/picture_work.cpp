@@ -113,12 +113,14 @@ PictureWork::PictureWork(const LightQuestion& asked, Sensor sensor, Maker maker,
       budget_(budgetOf(asked)),
       effort_(asked.effort),
       maxDepth_(maker_.depth.value_or(asked.settings.maxDepth)),
+      maxSpecular_(maker_.specular.value_or(asked.settings.maxSpecular)),
       seed_(asked.settings.seed) {
     const auto start = std::chrono::steady_clock::now();
     const EstimatorInfo& info = *findEstimator(maker_.estimator);
     const Problem problem{.index = scene_->index,
                           .sensor = sensor_,
                           .maxDepth = maxDepth_,
+                          .maxSpecular = maxSpecular_,
                           .seed = seed_,
                           .stop = [&cancelled] { return cancelled.load(std::memory_order_relaxed); }};
     auto picture = std::make_shared<LightPicture>();
@@ -138,7 +140,9 @@ bool PictureWork::answers(const LightQuestion& question, const Maker& maker) con
     const auto* profile = std::get_if<Profile>(&sensor_);
     return maker_ == maker && budget_ == budgetOf(question) && effort_ == question.effort &&
            (!profile || profile->segments.front() == question.at.segment) && scene_ == question.scene &&
-           maxDepth_ == maker.depth.value_or(question.settings.maxDepth) && seed_ == question.settings.seed;
+           maxDepth_ == maker.depth.value_or(question.settings.maxDepth) &&
+           maxSpecular_ == maker.specular.value_or(question.settings.maxSpecular) &&
+           seed_ == question.settings.seed;
 }
 
 bool PictureWork::addBatch() {

@@ -35,7 +35,7 @@ class PictureWork {
     Maker maker_;
     Budget budget_;
     double effort_;
-    std::uint32_t maxDepth_;
+    std::uint32_t maxDepth_, maxSpecular_;
     std::uint64_t seed_;
     std::unique_ptr<Estimator> estimator_;
     std::shared_ptr<const LightPicture> picture_;

@@ -175,6 +175,26 @@ std::string explanation(const RequirementsAnswer& answer, const SegmentIndex& in
     return text + requirementsText(answer, index) + "\n";
 }
 
+std::string lostWords(const RequirementsAnswer& answer) {
+    std::string lost;
+    if (!answer.loses.empty()) lost = fmt::format("the plan {}", answer.loses);
+    const auto& missing = answer.bounces.missing;
+    if (missing && missing->depth == answer.plan.maxDepth && missing->share > answer.tolerance)
+        lost += fmt::format("{}more than {} scatterings, which are not followed, bring {:.2g} % of it",
+                            lost.empty() ? "" : "; ", missing->depth, 100.0 * missing->share);
+    return lost;
+}
+
+std::string lostWarning(const RequirementsAnswer& answer) {
+    const std::string lost = lostWords(answer);
+    return lost.empty() ? lost : fmt::format("\nWARNING: light is missing: {}\n", lost);
+}
+
+void tellLost(const RequirementsAnswer& answer, Json& result) {
+    const std::string lost = lostWords(answer);
+    result["loses"] = lost.empty() ? Json() : Json(lost);
+}
+
 std::string costsText(const Costs& costs) {
     std::string text = fmt::format("\n{:<24} {:>19} {:>8} {:>10} {:>10} {:>10}\n", "what a change costs",
                                    "light", "pixels", "rays", "time/ray", "time");

@@ -24,6 +24,15 @@ std::string requirementsText(const RequirementsAnswer& answer, const SegmentInde
 std::string explanation(const RequirementsAnswer& answer, const SegmentIndex& index,
                         std::string_view estimator);
 
+/// Light that a picture lacks which is made by the plan, in words; empty: none that is known of.
+std::string lostWords(const RequirementsAnswer& answer);
+
+/// The same as a line below the result; empty if there is nothing to warn of.
+std::string lostWarning(const RequirementsAnswer& answer);
+
+/// The same as the result's field `loses`, null if there is nothing.
+void tellLost(const RequirementsAnswer& answer, Json& result);
+
 /// Options of `halfdisk eye` and the like that give the plan without asking again.
 std::string planOptions(const Plan& plan);
 

@@ -211,7 +211,8 @@ std::optional<Maker> plannedMaker(const AppState& state) {
     if (!planned) return std::nullopt;
     const Plan& plan = planned->plan;
     return Maker{std::string(plan.estimator->id), plan.params,
-                 static_cast<std::uint32_t>(std::min<std::uint64_t>(plan.maxDepth, kMostMakerDepth))};
+                 static_cast<std::uint32_t>(std::min<std::uint64_t>(plan.maxDepth, kMostMakerDepth)),
+                 plan.maxSpecular};
 }
 
 std::string plannedMakerWords(const AppState& state) {

@@ -38,6 +38,7 @@ const Json& valueOf(const Json& json, const char* key, std::string_view expected
 Json jsonOf(const Maker& maker) {
     Json json{{"estimator", maker.estimator}, {"params", maker.params}};
     if (maker.depth) json["depth"] = *maker.depth;
+    if (maker.specular) json["specular"] = *maker.specular;
     return json;
 }
 
@@ -86,6 +87,9 @@ Maker makerOfJson(const Json& json) {
         maker.params[i] = value;
     }
     if (json.contains("depth")) maker.depth = static_cast<std::uint32_t>(whole(json, "depth", 0, 64));
+    if (json.contains("specular"))
+        maker.specular = static_cast<std::uint32_t>(
+            whole(json, "specular", kMaxSpecularInfo.least, kMaxSpecularInfo.most));
     return maker;
 }
 

@@ -146,6 +146,7 @@ void addMakers(WordsPage& page, const AppState& state) {
                                            : std::string(param.choices[static_cast<std::size_t>(value)]);
         }
         if (maker.depth) words += say("; depth {}", *maker.depth);
+        if (maker.specular) words += say("; {} mirrors or skins of glass in a row", *maker.specular);
         page.fact(name, words);
     };
     if (state.makers.second) {

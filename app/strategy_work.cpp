@@ -18,7 +18,7 @@ constexpr std::uint32_t kPixels = 96;
 // Of the estimator's parameters, the strategies are all asked; of the others the maker decides.
 constexpr std::array<std::string_view, 3> kOwnParams{"s", "t", "weights"};
 
-/// The pictures' own maker, if it is bidirectional: its heuristic, roulette and depth.
+/// The pictures' own maker, if it is bidirectional: its heuristic, roulette, depth and specular.
 Maker makerFor(const LightQuestion& asked) {
     const EstimatorInfo& info = *findEstimator("bidirectional");
     Maker maker = makerOf(info.id);
@@ -28,6 +28,7 @@ Maker makerFor(const LightQuestion& asked) {
         if (std::find(kOwnParams.begin(), kOwnParams.end(), info.params[i].name) != kOwnParams.end())
             maker.params[i] = initial[i];
     maker.depth = maker.depth.value_or(asked.settings.maxDepth);
+    maker.specular = maker.specular.value_or(asked.settings.maxSpecular);
     return maker;
 }
 
@@ -79,6 +80,7 @@ StrategyWork::StrategyWork(const LightQuestion& asked, const std::atomic<bool>& 
     const Problem problem{.index = scene_->index,
                           .sensor = sensor_,
                           .maxDepth = *maker_.depth,
+                          .maxSpecular = *maker_.specular,
                           .seed = seed_,
                           .stop = [&cancelled] { return cancelled.load(std::memory_order_relaxed); }};
     const StrategyTable table(kGridVertices);

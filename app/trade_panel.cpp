@@ -68,7 +68,7 @@ void dial(const Ui& ui) {
 
 /// Puts a setting on the stage or, if a click put it there, what was there before.
 void pick(const Ui& ui, const TradeSoFar& trade, std::size_t cell) {
-    const auto maker = makerOf(trade.report.cells[cell].setting, trade.report.truth.askedDepth);
+    const auto maker = makerOf(ui.state, trade, cell);
     if (!maker || !mayPick(ui.state)) return;
     if (cellOnStage(ui.state, trade) != cell)
         ui.commands.push_back(PickTrade{cell, *maker});
@@ -93,8 +93,7 @@ void words(const Ui& ui, const TradeSoFar* trade) {
     textWrapped(ui.widgets, checkWords(ui.state, *trade));
     ImGui::PopStyleColor();
     tooltip("The same setting with other seeds: what was predicted beside what came. A red dot in the plot.");
-    const bool can = makerOf(trade->report.cells[choice->cell].setting, trade->report.truth.askedDepth) &&
-                     mayPick(ui.state);
+    const bool can = makerOf(ui.state, *trade, choice->cell) && mayPick(ui.state);
     bool onStage = cellOnStage(ui.state, *trade) == choice->cell;
     ImGui::BeginDisabled(!can);
     if (toggle(ui.widgets, "Show its picture", onStage)) pick(ui, *trade, choice->cell);
@@ -104,7 +103,7 @@ void words(const Ui& ui, const TradeSoFar* trade) {
 
 std::string hoverWords(const Ui& ui, const TradeSoFar& trade, std::size_t cell) {
     std::string about = cellWords(trade.report, cell);
-    const auto maker = makerOf(trade.report.cells[cell].setting, trade.report.truth.askedDepth);
+    const auto maker = makerOf(ui.state, trade, cell);
     const std::string_view click = !maker               ? "The stage cannot show it: it needs other walls."
                                    : !mayPick(ui.state) ? "Who makes the pictures is locked here."
                                    : cellOnStage(ui.state, trade) != cell ? "Click: it makes the pictures."

@@ -67,6 +67,10 @@ TradeReference fromJson(const fs::path& file, const Json& asked) {
                              "has pixels without standard error, expected two samples or more");
         reference.standardError = pixelsFrom(errors);
         checkFacts(file, json, asked);
+        if (const auto cut = json.value("cut", std::uint64_t{0}); cut > 0)
+            reference.how += fmt::format(
+                "; {} of {} paths were given up after {} mirror and glass events: their light is missing",
+                cut, json.at("paths").get<std::uint64_t>(), json.at("specular").get<std::uint64_t>());
     } catch (const Json::exception&) {
         throw InputError(file.string(),
                          "is not what halfdisk eye, profile or field wrote, expected such a .json or a .pfm");

@@ -104,18 +104,24 @@ const TradeCheck* checkOf(const TradeSoFar& trade, const TradeChoice& choice) {
     return trade.complete() && trade.check && trade.check->answers(choice) ? &*trade.check : nullptr;
 }
 
-std::optional<Maker> makerOf(const TradeSetting& setting, std::uint32_t askedDepth) {
+std::optional<Maker> makerOf(const TradeSetting& setting, std::uint32_t askedDepth,
+                             std::optional<std::uint32_t> stageSpecular) {
     if (setting.facets != 1.0 || setting.index != IndexMethod::automatic) return std::nullopt;
-    Maker maker{std::string(setting.estimator->id), setting.params, {}};
+    Maker maker{std::string(setting.estimator->id), setting.params, {}, stageSpecular};
     if (setting.maxDepth != askedDepth) maker.depth = setting.maxDepth;
     return maker;
 }
 
+std::optional<Maker> makerOf(const AppState& state, const TradeSoFar& trade, std::size_t cell) {
+    const auto& stage = state.makers.first;
+    return makerOf(trade.report.cells[cell].setting, trade.report.truth.askedDepth,
+                   stage ? stage->specular : std::nullopt);
+}
+
 std::optional<std::size_t> cellOnStage(const AppState& state, const TradeSoFar& trade) {
     if (!state.makers.first) return std::nullopt;
-    const std::vector<TradeCell>& cells = trade.report.cells;
-    for (std::size_t i = 0; i < cells.size(); ++i)
-        if (makerOf(cells[i].setting, trade.report.truth.askedDepth) == state.makers.first) return i;
+    for (std::size_t i = 0; i < trade.report.cells.size(); ++i)
+        if (makerOf(state, trade, i) == state.makers.first) return i;
     return std::nullopt;
 }
 

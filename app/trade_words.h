@@ -17,8 +17,13 @@ std::optional<TradeChoice> choiceOf(const AppState& state, const TradeSoFar& tra
 /// What then happened; null: not known, or that of an older wish.
 const TradeCheck* checkOf(const TradeSoFar& trade, const TradeChoice& choice);
 
-/// What makes the stage's pictures as a setting does; nothing if the stage cannot show it.
-std::optional<Maker> makerOf(const TradeSetting& setting, std::uint32_t askedDepth);
+/// What makes the stage's pictures as a setting does; nothing if the stage cannot show it. It follows as many
+/// mirrors and skins of glass as the stage does, for so many the trade was measured.
+std::optional<Maker> makerOf(const TradeSetting& setting, std::uint32_t askedDepth,
+                             std::optional<std::uint32_t> stageSpecular = std::nullopt);
+
+/// Of a cell, for the stage as it is.
+std::optional<Maker> makerOf(const AppState& state, const TradeSoFar& trade, std::size_t cell);
 
 /// The cell whose setting makes the pictures now.
 std::optional<std::size_t> cellOnStage(const AppState& state, const TradeSoFar& trade);

@@ -19,6 +19,7 @@ std::string differenceOf(const Maker& maker, const Maker& other) {
                 : fmt::format("{} {}", param.name, param.choices[static_cast<std::size_t>(value)]));
     }
     if (maker.depth) add(fmt::format("depth {}", *maker.depth));
+    if (maker.specular && maker.specular != other.specular) add(fmt::format("specular {}", *maker.specular));
     return words;
 }
 

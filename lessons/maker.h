@@ -9,15 +9,16 @@
 namespace halfdisk {
 
 struct Maker {
-    std::string estimator;                 ///< one that findEstimator knows
-    ParamValues params;                    ///< all of its table's
-    std::optional<std::uint32_t> depth{};  ///< instead of the step's own maxDepth
+    std::string estimator;                    ///< one that findEstimator knows
+    ParamValues params;                       ///< all of its table's
+    std::optional<std::uint32_t> depth{};     ///< instead of the step's own maxDepth
+    std::optional<std::uint32_t> specular{};  ///< instead of the settings' maxSpecular
     bool operator==(const Maker&) const = default;
 };
 
 /// An estimator with its table's own values.
 inline Maker makerOf(std::string_view estimator) {
-    return {std::string(estimator), initialValues(*findEstimator(estimator)), std::nullopt};
+    return {std::string(estimator), initialValues(*findEstimator(estimator))};
 }
 
 /// `Photon mapping, radius 0.05`: what tells it from another one beside it (may be null), if anything.

@@ -64,6 +64,11 @@ void readMaker(TableReader& table, std::optional<Maker>& maker) {
         if (!maker) failAt(file, params->where, "\"params\" need an \"estimator\" that they belong to");
         readParams(file, *params, *maker);
     }
+    if (const TomlValue* specular = table.optional(kMaxSpecularInfo.name)) {
+        if (!maker) failAt(file, specular->where, "\"specular\" needs an \"estimator\" that it belongs to");
+        maker->specular = static_cast<std::uint32_t>(readWhole(
+            file, kMaxSpecularInfo.name, *specular, {kMaxSpecularInfo.least, kMaxSpecularInfo.most}));
+    }
 }
 
 void readMakers(TableReader& table, Makers& makers) {

@@ -1,4 +1,4 @@
-// How do `estimator`, `params` and `against` of a step become what makes its pictures?
+// How do `estimator`, `params`, `specular` and `against` of a step become what makes its pictures?
 #pragma once
 
 #include "lessons/maker.h"
@@ -13,7 +13,7 @@ inline constexpr std::uint64_t kMostMakerDepth = 64;
 void readMaker(TableReader& table, std::optional<Maker>& maker);
 
 /// Replaces what the table says. A new estimator begins with its own values. Throws InputError for an unknown
-/// estimator or parameter and for a value that it does not take.
+/// estimator or parameter, for a value that it does not take, and for what belongs to no estimator.
 void readMakers(TableReader& table, Makers& makers);
 
 /// What values a parameter takes: `one of a, b`, `a whole number from 0 to 10`.

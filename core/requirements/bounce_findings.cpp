@@ -82,10 +82,7 @@ std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts
     std::string reason;
     if (const auto& missing = bounces.missing) {
         reason = words::joined("more than ", std::to_string(missing->depth), " scatterings bring ",
-                               words::percent(missing->share));
-        if (missing->standardError > 0.0)
-            reason += words::joined(" (± ", words::percent(missing->standardError), ")");
-        reason += " of the light";
+                               shareWords(*missing, tolerance));
         if (bounces.patches)
             reason += words::joined(", by ", std::to_string(bounces.patches->patches), " patches");
         reason += "; ";

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/requirements/words.h"
+
 namespace halfdisk {
 
 std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32_t maxSpecular) {
@@ -30,6 +32,15 @@ BeyondDepth shareBeyond(std::uint32_t events, const Pilot& all, const Pilot& upT
     }
     if (!(all.mean > 0.0)) return {events, 0.0, 0.0};
     return {events, std::max(0.0, mean / all.mean), std::sqrt(squares / (n - 1.0) / n) / all.mean};
+}
+
+std::string shareWords(const BeyondDepth& beyond, double tolerance) {
+    std::string text = words::percent(beyond.share);
+    if (!(beyond.standardError > 0.0)) return text + " of the light";
+    text += words::joined(" (± ", words::percent(beyond.standardError), ") of the light");
+    if (isEnough(beyond, tolerance))
+        text += words::joined(", with two standard errors added ", words::percent(mayMiss(beyond)));
+    return text;
 }
 
 }  // namespace halfdisk

@@ -21,9 +21,17 @@ std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32
 /// Of the light of `all` that is not in `upTo`, which has the same passes, cut after so many events.
 BeyondDepth shareBeyond(std::uint32_t events, const Pilot& all, const Pilot& upTo);
 
-/// Whether no more than the tolerance is missing, as far as is known.
-inline bool isEnough(const BeyondDepth& beyond, double tolerance) {
-    return beyond.share + kSure * beyond.standardError <= tolerance;
+/// What may be missing, as far as is known.
+inline double mayMiss(const BeyondDepth& beyond) {
+    return beyond.share + kSure * beyond.standardError;
 }
+
+/// Whether that is no more than the tolerance.
+inline bool isEnough(const BeyondDepth& beyond, double tolerance) {
+    return mayMiss(beyond) <= tolerance;
+}
+
+/// `0.44 % (± 0.23 %) of the light`, and, where that is what decided, what it was taken for.
+std::string shareWords(const BeyondDepth& beyond, double tolerance);
 
 }  // namespace halfdisk

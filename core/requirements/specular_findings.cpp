@@ -74,10 +74,7 @@ std::string specularReason(const RequirementsAnswer& answer) {
     if (!answer.specular.measured.empty()) {
         const BeyondDepth& beyond = answer.specular.measured.back();
         reason += words::joined(": more than ", std::to_string(beyond.depth), " events bring ",
-                                words::percent(beyond.share));
-        if (beyond.standardError > 0.0)
-            reason += words::joined(" (± ", words::percent(beyond.standardError), ")");
-        reason += " of the light";
+                                shareWords(beyond, answer.tolerance));
         if (!isEnough(beyond, answer.tolerance))
             reason += words::joined(", and no more than ", std::to_string(answer.specular.required),
                                     " are followed: some light is missing");

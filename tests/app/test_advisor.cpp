@@ -1,13 +1,18 @@
 // Does the advisor say what the scene requires, do what the reader forces, and make pictures as it says?
 #include <doctest/doctest.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <sstream>
 
 #include "app/light_progress.h"
 #include "app/plot_tables.h"
 #include "app/share_text.h"
 #include "app/state_text.h"
+#include "app/trade_words.h"
 #include "file_reading.h"
+#include "lessons/scene_file.h"
 #include "rig.h"
 
 using namespace halfdisk;
@@ -121,6 +126,74 @@ TEST_CASE("Do it so makes the pictures by the plan, and says when they are") {
     rig.driver.click("Stage/Do it so");
     rig.settle();
     CHECK(rig.state().makers.first->depth == 2u);
+}
+
+TEST_CASE("Do it so follows as many mirrors in a row as the plan, in the picture and in the trade") {
+    // Light goes round between perfect mirrors for long.
+    AppState state = openDescribed(courseLessons(), parseScene(R"(
+[material.plate]
+type = "diffuse"
+albedo = 0.8
+[material.silver]
+type = "mirror"
+reflectance = 1.0
+[[segment]]
+name = "plate"
+a = [0.2, 0.1]
+b = [0.5, 0.1]
+material = "plate"
+[[segment]]
+name = "lamp"
+a = [1.05, 1.9]
+b = [0.95, 1.9]
+emission = 1.0
+[[polygon]]
+name = "box"
+points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]]
+material = "silver"
+)",
+                                                               "mirrors"));
+    for (const View view : {View::requirements, View::profile}) apply(state, SetView{view, true});
+    Rig rig(std::move(state));
+    const auto shareCut = [&] {
+        const Counts& counts = rig.state().answer->pictures.profile->film.counts;
+        return static_cast<double>(counts.cut) / static_cast<double>(counts.paths);
+    };
+    const std::uint32_t planned = answers(rig).requirements->plan.maxSpecular;
+    CHECK(planned > kMaxSpecularInfo.initial);
+    const double cutBefore = shareCut();
+    CHECK(cutBefore > 0.05);
+    rig.driver.click("Stage/Do it so");
+    rig.settle();
+    REQUIRE(rig.state().makers.first);
+    CHECK(rig.state().makers.first->specular == planned);
+    CHECK(shareCut() < 0.2 * cutBefore);
+    std::istringstream told(stateText(rig.state()));  // in lines of some length
+    std::string words;
+    for (std::string word; told >> word;) words += word + ' ';
+    CHECK(words.find(fmt::format("; {} mirrors or skins", planned)) != std::string::npos);
+    choose(rig, "specular", "off");
+    rig.driver.click("Stage/Do it so");
+    rig.settle();
+    CHECK(rig.state().makers.first->specular == 0u);
+    CHECK(shareCut() > cutBefore);
+
+    // The trade is measured with as many, and so are the pictures that its settings make.
+    rig.apply(SetView{View::trade, true});
+    rig.settle();
+    const auto trade = answers(rig).trade;
+    REQUIRE(trade);
+    CHECK(trade->reference.find("after 0 mirror") != std::string::npos);
+    const auto maker = makerOf(rig.state(), *trade, 0);
+    REQUIRE(maker);
+    CHECK(maker->specular == 0u);
+    rig.apply(PickTrade{0, *maker});
+    rig.settle();
+    CHECK(answers(rig).trade->reference == trade->reference);
+    CHECK(cellOnStage(rig.state(), *answers(rig).trade) == std::size_t{0});
+    rig.apply(SetMakers{});
+    rig.settle();
+    CHECK(answers(rig).trade->reference.find("after 32 mirror") != std::string::npos);
 }
 
 TEST_CASE("the picture that the plan is about is shown") {

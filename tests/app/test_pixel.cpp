@@ -328,6 +328,28 @@ TEST_CASE("two settings of one estimator: the pixel's run is that of the strip t
     CHECK(rig.state().answer->pathRun->record.events.size() < deep);
 }
 
+TEST_CASE("a pixel's run follows as many mirrors in a row as its strip") {
+    const auto lessons = courseLessons();
+    AppState state = openScene(lessons, lessons / "scenes/mirror_room.toml");
+    Maker blind = makerOf("path");
+    blind.specular = 0;
+    apply(state, SetView{View::eye, true});
+    apply(state, SetRun{Run::path});
+    apply(state, SetMakers{{makerOf("path"), blind}});
+    Rig rig(std::move(state));
+    const auto cutOf = [&](Side side) {
+        std::uint64_t cut = 0;
+        for (std::uint32_t pixel = 0; pixel < kEyeStripPixels; pixel += 32) {
+            rig.apply(PinPixel{pixel, side});
+            rig.settle();
+            cut += rig.state().answer->pathRun->counts.cut;
+        }
+        return cut;
+    };
+    CHECK(cutOf(Side::first) == 0);
+    CHECK(cutOf(Side::second) > 0);
+}
+
 TEST_CASE("a step's pixel is pinned in another scene too, or its absence is told") {
     const auto lessons = courseLessons();
     Lesson lesson = openLesson(lessons, LessonRef{"wasted-rays", 1}).lesson.value();

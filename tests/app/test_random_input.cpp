@@ -77,6 +77,7 @@ Maker randomMaker(Dice& dice) {
             maker.params[i] = dice.below(static_cast<std::uint32_t>(param.choices.size()));
     }
     if (dice.once(3)) maker.depth = dice.below(4);
+    if (dice.once(3)) maker.specular = dice.once(2) ? dice.below(3) : 1000;
     return maker;
 }
 

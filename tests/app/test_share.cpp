@@ -29,6 +29,8 @@ AppState changedState() {
     apply(state, SetView{View::histogram, true});
     Maker photons = makerOf("photon-map");
     photons.params[1] = 0.1;
+    photons.depth = 3;
+    photons.specular = 256;
     apply(state, SetMakers{{photons, makerOf("path"), Budget::time}});
     apply(state, SetView{View::difference, true});
     return state;

@@ -136,6 +136,52 @@ TEST_CASE("--estimator auto: a depth that is given is kept, and so is what is fo
     CHECK(with({"--force", "roulette=off"})["parameters"]["roulette"] == 0.0);
 }
 
+TEST_CASE("--estimator auto: light that is lost by what is forced is told, without --explain too") {
+    const TemporaryFolder folder;
+    const std::string picture = (folder / "a.pfm").string(), disk = shippedScene("glass_disk.toml");
+    const std::vector<std::vector<std::string>> commands{
+        {"probe", disk, "--at", "floor:0.5"},
+        {"profile", disk, "--walls", "floor", "--width", "8", "-o", picture},
+        {"eye", shippedScene("glass_disk_mirror.toml"), "--width", "8", "-o", picture}};
+    const auto run = [](std::vector<std::string> command, const std::vector<std::string>& more) {
+        for (const char* one : {"--estimator", "auto", "--samples", "2"}) command.emplace_back(one);
+        command.insert(command.end(), more.begin(), more.end());
+        const Outcome outcome = runProgram(command);
+        REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+        return outcome.out;
+    };
+    const std::string warning = "\nWARNING: light is missing: the plan carries ";
+    for (const auto& command : commands) {
+        CAPTURE(command.front());
+        CHECK(run(command, {"--force", "light-pass=off"}).find(warning) != std::string::npos);
+        CHECK(run(command, {}).find("light is missing") == std::string::npos);
+        const Json lossy = Json::parse(run(command, {"--force", "light-pass=off", "--json"}));
+        REQUIRE(lossy["loses"].is_string());
+        CHECK(lossy["loses"].get<std::string>().find("the plan carries ") == 0);
+        CHECK(Json::parse(run(command, {"--json"}))["loses"].is_null());
+    }
+    const std::vector<std::string> room{"probe", shippedScene("diffuse_room.toml"), "--at", "floor:0.5"};
+    CHECK(run(room, {"--depth", "1"}).find("missing: more than 1 scatterings, which are not followed") !=
+          std::string::npos);
+    CHECK_FALSE(
+        Json::parse(runProgram({"probe", disk, "--at", "floor:0.5", "--json"}).out).contains("loses"));
+}
+
+TEST_CASE("requirements: a share that chance measured is told with what it was taken for") {
+    const Json answer = asked({shippedScene("mirror_room.toml")});
+    const Json& beyond = answer["bounces"]["measured"].back();
+    REQUIRE(beyond["standardError"] > 0.0);
+    const double taken = beyond["beyond"].get<double>() + 2.0 * beyond["standardError"].get<double>();
+    CHECK(taken <= answer["tolerance"].get<double>());
+    const std::string reason = rowOf(answer, "bounces")["reason"], said = ", with two standard errors added ";
+    const std::size_t at = reason.find(said);
+    REQUIRE_MESSAGE(at != std::string::npos, reason);
+    CHECK(std::stod(reason.substr(at + said.size())) == doctest::Approx(100.0 * taken).epsilon(0.06));
+    // Where nothing is left to chance, nothing is added.
+    CHECK(rowOf(asked({shippedScene("diffuse_room.toml")}), "bounces")["reason"].get<std::string>().find(
+              said) == std::string::npos);
+}
+
 TEST_CASE("--explain with any estimator tells what auto would do, and changes nothing") {
     const std::vector<std::string> plain{"probe", shippedScene("open_court.toml"), "--at", "floor:0.5",
                                          "--json"};

@@ -270,6 +270,17 @@ TEST_CASE("trade: a reference of one's own is used, with its error") {
     CHECK(other.exitCode == 2);
     CHECK(other.err.find("= {") != std::string::npos);  // its eye has another width
 
+    // Paths that it gave up are told.
+    const std::string blind = folder / "blind.json", mirrors = shippedScene("mirror_room.toml");
+    REQUIRE(runProgram({"eye", mirrors, "--width", "8", "--samples", "4", "--specular", "0", "-o", blind})
+                .exitCode == 0);
+    const Outcome cut = runProgram({"trade", mirrors, "--width", "8", "--specular", "0", "--estimators",
+                                    "path", "--rays", "2000", "--reference", blind});
+    CHECK(cut.exitCode == 0);
+    CHECK_MESSAGE(cut.out.find("paths were given up after 0 mirror and glass events: their light is") !=
+                      std::string::npos,
+                  cut.out);
+
     // A picture of something else is no truth.
     const auto refused = [&](const std::vector<std::string>& changed, const std::string& scene,
                              const char* why) {

@@ -50,7 +50,8 @@ TEST_CASE("a goal may ask for a line, any of several, and a step for another run
 TEST_CASE("a maker has its table's own values, but for those that are given") {
     const Makers makers = stepOf(kSet +
                                  "estimator = 'photon-map'\nparams = { photons = 500, caustics = 'off' }\n"
-                                 "against = { estimator = 'path', depth = 0 }\n")
+                                 "specular = 256\n"
+                                 "against = { estimator = 'path', depth = 0, specular = 3 }\n")
                               .values.makers;
     REQUIRE((makers.first && makers.second));
     CHECK(makers.first->estimator == "photon-map");
@@ -60,6 +61,21 @@ TEST_CASE("a maker has its table's own values, but for those that are given") {
     CHECK_FALSE(makers.first->depth.has_value());
     CHECK(makers.second->estimator == "path");
     CHECK(makers.second->depth == 0);
+    CHECK(makers.first->specular == 256);
+    CHECK(makers.second->specular == 3);
+}
+
+TEST_CASE("mirrors and glass events in a row are the maker's own, and another estimator does not keep them") {
+    const std::string defaults = "[defaults]\nestimator = 'light'\nspecular = 0\n";
+    const auto first = [&](const std::string& set) {
+        return *stepOf(kHead + defaults + kStep + "[step.set]\n" + set).values.makers.first;
+    };
+    CHECK(first("params = { paths = 7 }\n").specular == 0);
+    CHECK(first("specular = 1000\n").specular == 1000);
+    CHECK(first("estimator = 'path'\n") == makerOf("path"));
+    Maker few = makerOf("path");
+    few.specular = 3;
+    CHECK_FALSE(few == makerOf("path"));
 }
 
 TEST_CASE("a step without makers has none, and one with another estimator does not keep the old parameters") {
@@ -81,6 +97,9 @@ TEST_CASE("what tells two makers apart is in their titles") {
     Maker shallow = makerOf("path");
     shallow.depth = 0;
     CHECK(titleOf(shallow, &wide) == "Path tracing, depth 0");
+    shallow.specular = 256;
+    CHECK(titleOf(shallow, &wide) == "Path tracing, depth 0, specular 256");
+    CHECK(differenceOf(shallow, shallow) == "depth 0");
 }
 
 TEST_CASE("a wrong maker is told with its place") {
@@ -97,6 +116,10 @@ TEST_CASE("a wrong maker is told with its place") {
     const std::string path = kSet + "estimator = 'path'\nagainst = ";
     check(path + "^{ depth = 1 }\n", {"\"against\" has no \"estimator\""});
     check(path + "{ estimator = 'path', depth = ^65 }\n", {"\"depth\"", "64"});
+    check(path + "{ estimator = 'path', specular = ^1001 }\n", {"\"specular\"", "1000"});
+    check(kSet + "specular = ^3\n", {"\"specular\" needs an \"estimator\""});
+    check(kSet + "estimator = 'path'\nspecular = ^-1\n", {"\"specular\"", "from 0 to 1000"});
+    check(kSet + "estimator = 'path'\nspecular = ^'many'\n", {"\"specular\""});
     check(path + "{ estimator = 'path', ^seed = 1 }\n", {"unknown key \"seed\""});
 }
 

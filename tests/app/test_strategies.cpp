@@ -161,6 +161,26 @@ TEST_CASE("without an eye it is the light along P's wall, which the light's own 
     CHECK(rig.session.widgets.find(cell({2, 0})) == nullptr);
 }
 
+TEST_CASE("the strategies follow as many skins of glass in a row as the maker") {
+    const AppState state = caustic(kStep);
+    LightQuestion asked;
+    asked.scene = state.scene;
+    asked.at = state.at;
+    asked.settings = state.settings;
+    asked.makers.first = makerOf("bidirectional");
+    const std::atomic<bool> never{false};
+    const auto cut = [&] {
+        StrategyWork work(asked, never);
+        REQUIRE(work.addBatch());
+        return work.grid()->film.whole.counts.cut;
+    };
+    const std::uint64_t usual = cut();
+    StrategyWork other(asked, never);
+    asked.makers.first->specular = 0;
+    CHECK(cut() > usual);
+    CHECK_FALSE(other.answers(asked));
+}
+
 TEST_CASE("a batch that is called off adds nothing, and the next one is what it would have been") {
     const AppState state = caustic(kStep);
     LightQuestion asked;

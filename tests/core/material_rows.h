@@ -40,7 +40,8 @@ inline Vec2 fromNormal(double angle) {
 
 /// A wall's point, met by a ray that comes from there.
 inline SurfacePoint seenAt(const Material& material, double angle, bool front = true) {
-    return {Vec2(0.0), Vec2(0.0, 1.0), Vec2(0.0, 1.0), fromNormal(angle), 0, front, kNoMedium, &material};
+    return {Vec2(0.0), Vec2(0.0, 1.0), Vec2(0.0, 1.0), fromNormal(angle), 0,
+            front,     false,          kNoMedium,      &material};
 }
 
 inline ScatterDraws drawsFrom(Random& random) {

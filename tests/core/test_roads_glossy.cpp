@@ -42,7 +42,8 @@ TEST_CASE(
     Stage stage = staged("glossy", scene);
     prepare(stage);
     const Vec2 P(0.0, 0.0), looking = glm::normalize(Vec2(1.0, -1.0));
-    const SurfacePoint at{P, {0.0, 1.0}, {0.0, 1.0}, -looking, 0, true, kNoMedium, &stage.scene.materials[0]};
+    const SurfacePoint at{
+        P, {0.0, 1.0}, {0.0, 1.0}, -looking, 0, true, false, kNoMedium, &stage.scene.materials[0]};
     // The lamp is seen from atan(0.7) to atan(1.3) off the normal. A sample is f cos / pdf there and 0
     // elsewhere.
     const auto moments = [&](bool lobe) {

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "app/draw_text.h"
+#include "app/line_breaks.h"
 
 namespace halfdisk {
 namespace {
@@ -17,13 +18,6 @@ struct Word {
 
 // Code is not broken at its spaces, unless it is longer than a narrow column.
 constexpr std::size_t kMostOfWholeCode = 24;
-
-/// Where the first word of `text` ends; a number and its percent sign are one.
-std::size_t endOfWord(std::string_view text) {
-    std::size_t end = text.find(' ');
-    if (end != std::string_view::npos && text.substr(end).starts_with(" %")) end = text.find(' ', end + 1);
-    return std::min(end, text.size());
-}
 
 std::vector<Word> wordsOf(const Paragraph& paragraph) {
     std::vector<Word> words;
@@ -90,12 +84,10 @@ void drawWord(const Ui& ui, const Word& word, ImVec2 at, float lineHeight, const
     const Term& meant = terms[word.span->term];
     if (meant.topic != Topic::none) ui.commands.push_back(LightTopic{meant.topic});
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(22 * ImGui::GetFontSize());
     ImGui::PushFont(ui.fonts.strong);
-    ImGui::TextUnformatted(meant.name.c_str());
+    tooltipWords(meant.name, 22.0f);
     ImGui::PopFont();
-    ImGui::TextUnformatted(meant.meaning.c_str());
-    ImGui::PopTextWrapPos();
+    tooltipWords(meant.meaning, 22.0f);
     ImGui::EndTooltip();
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/input_events.h"
 #include "app/language.h"
+#include "app/line_breaks.h"
 #include "lessons/utf8.h"
 
 namespace halfdisk {
@@ -127,9 +128,11 @@ void text(WidgetRegistry& registry, std::string_view words) {
 }
 
 void textWrapped(WidgetRegistry& registry, std::string_view words) {
-    ImGui::PushTextWrapPos(0.0f);
-    text(registry, words);
+    const std::string lines = brokenInto(tr(words), ImGui::GetContentRegionAvail().x);
+    ImGui::PushTextWrapPos(0.0f);  // for a word that is wider than all of it
+    ImGui::TextUnformatted(lines.data(), lines.data() + lines.size());
     ImGui::PopTextWrapPos();
+    markItem(registry, words, WidgetKind::text);
 }
 
 bool button(WidgetRegistry& registry, const char* label, ImVec2 size) {
@@ -242,13 +245,18 @@ bool inputTextEntered(WidgetRegistry& registry, const char* label, std::string& 
     return entered;
 }
 
+void tooltipWords(std::string_view words, float ems) {
+    const float width = ems * ImGui::GetFontSize();
+    const std::string lines = brokenInto(words, width);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
+    ImGui::TextUnformatted(lines.data(), lines.data() + lines.size());
+    ImGui::PopTextWrapPos();
+}
+
 void tooltip(std::string_view words) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24.0f);
-    const std::string_view shown = tr(words);
-    ImGui::TextUnformatted(shown.data(), shown.data() + shown.size());
-    ImGui::PopTextWrapPos();
+    tooltipWords(tr(words), 24.0f);
     ImGui::EndTooltip();
 }
 

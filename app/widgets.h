@@ -124,6 +124,9 @@ requires std::floating_point<Number> ||
                       range.logarithmic);
 }
 
+/// Words across so many ems of the current font, in a tooltip that has begun.
+void tooltipWords(std::string_view words, float ems);
+
 /// Explains the item added last while the pointer rests on it, also if it is disabled.
 void tooltip(std::string_view words);
 

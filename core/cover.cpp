@@ -40,12 +40,12 @@ bool liesAlong(const Segment& other, const Segment& wall) {
 
 }  // namespace
 
-bool liesOver(const Scene& scene, std::uint32_t other, std::uint32_t wall) {
+bool mayLieOver(const Scene& scene, std::uint32_t other, std::uint32_t wall) {
     if (other == wall) return false;
     const Segment &upper = scene.segments[other], &lower = scene.segments[wall];
-    const bool sameSide = glm::dot(upper.b - upper.a, lower.b - lower.a) > 0.0;
-    if (sameSide ? other > wall : !lower.twoSided) return false;
-    return liesAlong(upper, lower);
+    const bool sameWay = glm::dot(upper.b - upper.a, lower.b - lower.a) > 0.0;
+    const bool facesBack = (!sameWay || upper.twoSided) && !lower.twoSided;
+    return (other < wall || facesBack) && liesAlong(upper, lower);
 }
 
 std::uint32_t wallOver(const SegmentIndex& index, const ShadedPoint& at) {
@@ -53,7 +53,7 @@ std::uint32_t wallOver(const SegmentIndex& index, const ShadedPoint& at) {
     const bool single = precisionOf(index.method()) == Precision::single;
     const double shifts = single ? kLookingFromInSingle : kLookingFrom;
     const Hit hit = index.closestHit({at.P + at.N * (shifts * index.originShift(at.segment)), -at.N});
-    return hit && liesOver(index.scene(), hit.segment, at.segment) ? hit.segment : kNoSegment;
+    return hit && mayLieOver(index.scene(), hit.segment, at.segment) ? hit.segment : kNoSegment;
 }
 
 CoveredWalls::CoveredWalls(const SegmentIndex& index, std::span<const std::uint32_t> walls) {
@@ -72,7 +72,7 @@ CoveredWalls::CoveredWalls(const SegmentIndex& index, std::span<const std::uint3
         auto wall = std::lower_bound(fromLeft.begin(), fromLeft.end(), first,
                                      [&](std::uint32_t candidate, double x) { return left(candidate) < x; });
         for (; wall != fromLeft.end() && left(*wall) <= last; ++wall)
-            if (liesOver(scene, other, *wall)) partly_.push_back(*wall);
+            if (mayLieOver(scene, other, *wall)) partly_.push_back(*wall);
     }
     std::sort(partly_.begin(), partly_.end());
     partly_.erase(std::unique(partly_.begin(), partly_.end()), partly_.end());

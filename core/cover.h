@@ -9,9 +9,9 @@
 
 namespace halfdisk {
 
-/// Whether `other` lies along a part of `wall` (within 1e-9 of its length) and goes before it where a ray
-/// meets both: on the wall's front, or on the back of a two-sided one.
-bool liesOver(const Scene& scene, std::uint32_t other, std::uint32_t wall);
+/// Whether `other` lies along a part of `wall` (within 1e-9 of its length) and may go before it where a ray
+/// meets both: because it was written first, or, at the wall's black back, because it faces the ray there.
+bool mayLieOver(const Scene& scene, std::uint32_t other, std::uint32_t wall);
 
 /// The wall that a place on a wall, on the side of its normal, lies behind; kNoSegment: none. One ray.
 std::uint32_t wallOver(const SegmentIndex& index, const ShadedPoint& at);

@@ -25,7 +25,7 @@ class SegmentIndex {
     SegmentIndex& operator=(SegmentIndex&&) = default;
 
     /// First wall at t > 0. Of walls that lie on each other there (within rounding) the one that faces the
-    /// ray is met, then the lower index.
+    /// ray is met (a two-sided one faces all rays), then the lower index.
     Hit closestHit(const Ray& ray) const;
 
     /// Whether something stands between the ray's origin and a light at t = tMax: on the emitting segment

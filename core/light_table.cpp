@@ -1,5 +1,6 @@
 #include "light_table.h"
 
+#include "nearest_wall.h"
 #include "overload.h"
 
 namespace halfdisk {
@@ -32,6 +33,13 @@ Vec2 drawFrom(const std::vector<double>& skyUpTo, double u) {
     const double angle =
         2.0 * kPi * (static_cast<double>(bin.entry) + bin.within) / static_cast<double>(skyUpTo.size());
     return {std::cos(angle), std::sin(angle)};
+}
+
+/// Within twice the rounding that a shadow ray's end allows for; kNoSegment: none.
+std::uint32_t wallAt(const SegmentIndex& index, Vec2 P) {
+    const NearestWall wall = nearestWall(index.scene(), P);
+    const bool onWall = wall.segment != kNoSegment && wall.distance <= 2.0 * index.originShift(wall.segment);
+    return onWall ? wall.segment : kNoSegment;
 }
 
 // Out of line: lamps, which are asked far more often, need not make room for what the sky needs.
@@ -67,6 +75,10 @@ LightTable::LightTable(const SegmentIndex& index, const std::vector<Vec2>& extra
         radius_ = std::max(glm::length(high - low) / 2.0 * (1.0 + 1e-9), 1e-9);
     }
 
+    for (const DeltaLight& light : scene.lights) {
+        const auto* bulb = std::get_if<PointLight>(&light);
+        onWall_.push_back(bulb ? wallAt(index, bulb->position) : kNoSegment);
+    }
     for (const DeltaLight& light : scene.lights)
         powers_.push_back(std::visit(
             Overload{[](const PointLight& point) { return point.intensity * (2.0 * kPi); },
@@ -182,7 +194,17 @@ Emission LightTable::emit(double place, double v) const {
                         },
                         [&](const DirectionalLight& sun) { out.ray = beam(sun.direction, u); }},
                scene.lights[picked.light]);
+    if (onWall_[picked.light] != kNoSegment) leaveWall(onWall_[picked.light], out);
     return out;
+}
+
+// As a shadow ray has it, which comes from where the light goes.
+void LightTable::leaveWall(std::uint32_t wall, Emission& light) const {
+    const Vec2 bulb = light.ray.origin, direction = light.ray.direction;
+    const double away = 1e-6 * radius_;
+    if (index_->occluded({bulb + away * direction, -direction}, away)) light.power = Rgb(0.0);
+    light.ray.origin = originOff(*index_, wall, bulb, direction);
+    light.ray.skip = wall;
 }
 
 }  // namespace halfdisk

@@ -63,7 +63,7 @@ class LightTable {
 
     /// Light that sets out. `place` in (0, 1) runs over all the power of all lights: which one, and where on
     /// it (or across its beam; of a point light, whither). `v` in (0, 1) is the direction. Power is 0 where a
-    /// lamp is covered (cover.h): none of it gets out.
+    /// lamp is covered (cover.h), and from a point light on a wall into that wall: none of it gets out.
     Emission emit(double place, double v) const;
 
     /// Density (1/m or 1/rad) of emit's draws, given the light: along a lamp, or across a beam.
@@ -74,8 +74,11 @@ class LightTable {
     Ray beam(Vec2 direction, double u) const;
 
     const SegmentIndex* index_;
-    CoveredWalls covers_;  // of lamps
-    std::uint32_t count_;  // of lights without the environment
+    void leaveWall(std::uint32_t wall, Emission& light) const;
+
+    std::vector<std::uint32_t> onWall_;  // of scene.lights: the wall that a point light lies on
+    CoveredWalls covers_;                // of lamps
+    std::uint32_t count_;                // of lights without the environment
     Vec2 center_{0.0};
     double radius_ = 0.0;
     std::vector<Rgb> powers_;

@@ -92,30 +92,35 @@ ExtremeSide naiveBulb(double distance) {
 }
 
 ExtremeCell bulbCell(double distance) {
-    return {"bulb-touch:" + (distance > 0.0 ? powerText(distance) : std::string("0")),
-            distance > 0.0 ? "a point light " + powerText(distance) + " m above the wall"
-                           : std::string("a point light on the wall, at P itself"),
-            "E, relative",
-            distance > 0.0 ? 8.0 * kRounding : 0.0,
-            distance > 0.0 ? "a length, a quotient and a cosine"
-                           : "the light has no direction there: it brings nothing, and surely not NaN",
-            [distance](const StopQuestion&) {
-                Scene scene = furnaceOf({{0.0, 0.0}, {1.0, 0.0}}, 0.5, 0.0);
-                scene.segments.resize(1);
-                scene.segmentNames.resize(1);
-                scene.lights.emplace_back(PointLight{{0.5, distance}, Rgb(1.0)});
-                const SegmentIndex index(scene);
-                const ShadedPoint at = shadedPointOn(index, 0, 0.5);
-                const Estimate estimate = estimateIrradiance(index, at, Settings{});
-                const double exact = distance > 0.0 ? 1.0 / distance : 0.0;
-                ExtremeOutcome outcome;
-                const double off = std::abs(estimate.irradiance().x - exact);
-                outcome.ours.error = exact > 0.0 ? off / exact : off;
-                outcome.ours.counts.nonFinite = estimate.nonFinite();
-                outcome.naiveFloat = naiveBulb<float>(distance);
-                outcome.naiveDouble = naiveBulb<double>(distance);
-                return outcome;
-            }};
+    return {
+        "bulb-touch:" + (distance > 0.0 ? powerText(distance) : std::string("0")),
+        distance > 0.0 ? "a point light " + powerText(distance) + " m above the wall"
+                       : std::string("a point light on the wall, at P itself"),
+        "E, relative",
+        distance > 0.0 ? 8.0 * kRounding : 0.0,
+        distance > 0.0 ? "a length, a quotient and a cosine"
+                       : "the light has no direction there: it brings nothing, and surely not NaN",
+        [distance](const StopQuestion&) {
+            Scene scene = furnaceOf({{0.0, 0.0}, {1.0, 0.0}}, 0.5, 0.0);
+            scene.segments.resize(1);
+            scene.segmentNames.resize(1);
+            scene.lights.emplace_back(PointLight{{0.5, distance}, Rgb(1.0)});
+            const SegmentIndex index(scene);
+            const ShadedPoint at = shadedPointOn(index, 0, 0.5);
+            const Estimate estimate = estimateIrradiance(index, at, Settings{});
+            const double exact = distance > 0.0 ? 1.0 / distance : 0.0;
+            ExtremeOutcome outcome;
+            const double off = std::abs(estimate.irradiance().x - exact);
+            outcome.ours.error = exact > 0.0 ? off / exact : off;
+            outcome.ours.counts.nonFinite = estimate.nonFinite();
+            outcome.naiveFloat = naiveBulb<float>(distance);
+            outcome.naiveDouble = naiveBulb<double>(distance);
+            if (distance == 0.0)
+                outcome.words =
+                    "E has no finite value there: as the bulb comes down, half of its light falls on that "
+                    "one point, and none on the rest of the wall; the product leaves it out";
+            return outcome;
+        }};
 }
 
 }  // namespace

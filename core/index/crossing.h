@@ -61,6 +61,11 @@ inline Crossing crossPlainly(const Segment& s, const Ray& ray) {
     return {split && t > 0.0, sideB > sideA, t, sideA / (sideA - sideB), magnitude(slope)};
 }
 
+/// Whether the side that a ray comes to scatters and emits: a two-sided wall faces all rays.
+inline bool facesRay(const Segment& s, bool front) {
+    return front || s.twoSided;
+}
+
 /// Of any ray. Where it runs along the wall, the quotient t is mere rounding; but the crossing lies between
 /// the wall's ends.
 inline Crossing cross(const Segment& s, const Ray& ray) {

@@ -59,7 +59,9 @@ class Closest {
     /// `chosen` becomes this wall if it lies at the closest place and goes before it.
     void prefer(const IndexView& index, const Ray& ray, std::uint32_t segment, const Crossing& crossing,
                 Hit& chosen) const {
-        const bool before = crossing.front != chosen.front ? crossing.front : segment < chosen.segment;
+        const bool faces = facesRay(index.segments[segment], crossing.front),
+                   other = facesRay(index.segments[chosen.segment], chosen.front);
+        const bool before = faces != other ? faces : segment < chosen.segment;
         if (before &&
             liesOn(index.segments[segment], crossing, at_.t, shiftOf(index.segments[segment_]), ray))
             chosen = {segment, crossing.t, crossing.u, crossing.front};

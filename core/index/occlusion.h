@@ -28,7 +28,7 @@ struct Shadow {
         const Crossing crossing = cross(s, ray);
         if (!crossing.met) return false;
         if (!liesOn(s, crossing, tMax, shifts, ray)) return crossing.t < tMax;
-        return lamp == kNoSegment ? !crossing.front : crossing.front && segment < lamp;
+        return lamp == kNoSegment ? !crossing.front : facesRay(s, crossing.front) && segment < lamp;
     }
 };
 

@@ -11,6 +11,7 @@
 // No fused multiply-add, so that every instruction set gives the same hits.
 #pragma once
 
+#include "core/index/crossing.h"
 #include "core/index/pick.h"
 #include "core/index/single_crossing.h"
 
@@ -40,7 +41,9 @@ inline Hit hitInSingle(std::uint32_t segment, float sideA, float sideB, float t)
         const SingleCrossing<float> c = crossInSingle(index, i, ray);
         const SinglePlace place = placeOf(c, ray);
         if (i == ray.skip || !place.met || place.from > nearest.until) continue;
-        const bool front = comesFromFront(c), before = front != chosen.front ? front : i < chosen.segment;
+        const bool faces = facesRay(index.segments[i], comesFromFront(c)),
+                   other = facesRay(index.segments[chosen.segment], chosen.front);
+        const bool before = faces != other ? faces : i < chosen.segment;
         if (before && liesOn(c, place.t, nearest.t, off, ray))
             chosen = hitInSingle(i, c.sideA, c.sideB, place.t);
     }
@@ -99,7 +102,7 @@ inline bool hidesInSingle(const IndexView& index, const SingleRay& ray, std::uin
     if (!place.met) return false;
     if (!liesOn(c, place.t, end, 0.0f, ray)) return place.t < end;
     const bool front = comesFromFront(c);
-    return lamp == kNoSegment ? !front : front && segment < lamp;
+    return lamp == kNoSegment ? !front : facesRay(index.segments[segment], front) && segment < lamp;
 }
 
 inline bool occludedInSingle(const IndexView& index, const Ray& along, double tMax, std::uint32_t lamp) {

@@ -1,6 +1,7 @@
 #include "core/requirements/bounce_findings.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/requirements/series.h"
 #include "core/requirements/words.h"
@@ -11,22 +12,26 @@ namespace {
 // The same random numbers at every depth: a deeper path is the same path, followed further, so that the
 // difference is what the further scatterings bring.
 std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Series& series,
-                                  std::uint64_t& rays) {
+                                  double mostAlbedo, std::uint64_t& rays) {
     const Problem problem{
         .index = question.index, .sensor = question.sensor, .seed = question.seed, .stop = question.stop};
     const Pilot all =
         pilot(problem, series.plan,
               {.rays = static_cast<std::uint64_t>(question.effort * kSeriesRays), .leastPasses = 16});
     rays += all.rays;
+    const auto upTo = [&](std::uint32_t depth) {
+        Plan plan = series.plan;
+        plan.maxDepth = depth;
+        Pilot run = pilot(problem, plan, {.rays = 0, .leastPasses = all.passes, .mostPasses = all.passes});
+        rays += run.rays;
+        return run;
+    };
+    const std::uint32_t third = series.deepest / 3;
+    const Tail tail = tailOf(all, upTo(2 * third), upTo(third), std::pow(mostAlbedo, third));
     std::vector<BeyondDepth> shares;
     for (const std::uint32_t depth : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u, 16u, 20u, 24u, 32u}) {
         if (depth >= series.deepest) break;
-        Plan plan = series.plan;
-        plan.maxDepth = depth;
-        const Pilot upTo =
-            pilot(problem, plan, {.rays = 0, .leastPasses = all.passes, .mostPasses = all.passes});
-        rays += upTo.rays;
-        shares.push_back(shareBeyond(depth, all, upTo));
+        shares.push_back(shareBeyond(depth, all, upTo(depth), tail));
         if (isEnough(shares.back(), question.tolerance)) break;
     }
     return shares;
@@ -61,7 +66,7 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
             bounces.byRadius = scatteringsUntil(bounces.patches->spectralRadius, question.tolerance);
     }
     if (const auto series = seriesOf(question, maxSpecular))
-        bounces.measured = measured(question, *series, rays);
+        bounces.measured = measured(question, *series, facts.mostAlbedo, rays);
     if (bounces.patches) {
         // All of them are there, those too that chance rarely finds.
         bounces.depth = static_cast<std::uint32_t>(bounces.patches->beyond.size() - 1);
@@ -70,7 +75,9 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
         return bounces;
     }
     bounces.depth = std::max(1u, depthOf(bounces.measured, question.tolerance));
-    if (bounces.byAlbedo) bounces.depth = std::min(bounces.depth, *bounces.byAlbedo);
+    // The albedo bounds the light of the whole room; a sensor in its darkest corner may see later light. So
+    // much later is noise.
+    if (bounces.byAlbedo) bounces.depth = std::min(bounces.depth, 4 * std::max(1u, *bounces.byAlbedo));
     for (const BeyondDepth& beyond : bounces.measured)
         if (beyond.depth <= bounces.depth) bounces.missing = beyond;
     bounces.required = bounces.depth;
@@ -86,11 +93,15 @@ std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts
         if (bounces.patches)
             reason += words::joined(", by ", std::to_string(bounces.patches->patches), " patches");
         reason += "; ";
+        if (missing->depth < bounces.depth && !isEnough(*missing, tolerance))
+            reason +=
+                words::joined("going on as they fall, ", std::to_string(bounces.depth), " are enough; ");
     }
     reason += words::joined("the tolerance is ", words::percent(tolerance), ". The largest albedo, ",
                             words::number(facts.mostAlbedo, 3));
-    reason += bounces.byAlbedo ? words::joined(", bounds them by ", std::to_string(*bounces.byAlbedo))
-                               : std::string(", has no bound");
+    reason += bounces.byAlbedo
+                  ? words::joined(", bounds those of the whole room by ", std::to_string(*bounces.byAlbedo))
+                  : std::string(", has no bound");
     if (!bounces.patches) return reason;
     reason += words::joined(", the spectral radius, ", words::number(bounces.patches->spectralRadius, 3));
     reason += bounces.byRadius ? words::joined(", by ", std::to_string(*bounces.byRadius))

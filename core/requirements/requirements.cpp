@@ -76,6 +76,13 @@ void refuseForced(const RequirementsQuestion& question) {
     }
 }
 
+/// Whether the plan's own trial gave up paths between mirrors or in glass.
+bool cutsPaths(const RequirementsAnswer& answer) {
+    return std::any_of(answer.candidates.begin(), answer.candidates.end(), [](const Candidate& candidate) {
+        return candidate.chosen && candidate.pilot.cut > 0;
+    });
+}
+
 /// Chooses the way, from what is known of the scene.
 void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer) {
     RequirementsQuestion asked = question;
@@ -89,6 +96,10 @@ void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer
     cutAt(forcedTo(asked, RequirementId::bounces).value_or(answer.bounces.required), answer.bounces);
     const Sensor small = pilotSensor(asked.sensor);
     searchWay(asked, small, answer);
+    if (answer.loses.empty() && answer.plan.maxSpecular < answer.specular.required && cutsPaths(answer))
+        answer.loses =
+            words::joined("follows ", std::to_string(answer.plan.maxSpecular),
+                          " mirror and glass events in a row, of ", std::to_string(answer.specular.required));
     answer.requirements = requirementRows(asked, answer);
 }
 

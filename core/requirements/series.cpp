@@ -1,10 +1,30 @@
 #include "core/requirements/series.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/requirements/words.h"
 
 namespace halfdisk {
+namespace {
+
+struct Difference {
+    double mean, standardError;
+};
+
+/// Of two runs with the same passes.
+Difference differenceOf(const Pilot& all, const Pilot& upTo) {
+    double mean = 0.0, squares = 0.0;
+    const double n = static_cast<double>(all.totals.size());
+    for (std::size_t k = 0; k < all.totals.size(); ++k) mean += (all.totals[k] - upTo.totals[k]) / n;
+    for (std::size_t k = 0; k < all.totals.size(); ++k) {
+        const double off = all.totals[k] - upTo.totals[k] - mean;
+        squares += off * off;
+    }
+    return {mean, std::sqrt(squares / (n - 1.0) / n)};
+}
+
+}  // namespace
 
 std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32_t maxSpecular) {
     const auto with = [&](std::string_view id, bool mis, std::uint32_t deepest) -> std::optional<Series> {
@@ -17,21 +37,32 @@ std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32
         return std::nullopt;
     };
     if (auto path = with("path", true, 48)) return path;
-    if (auto light = with("light", false, 32)) return light;
-    if (auto joined = with("bidirectional", true, 10)) return joined;
-    return with("photon-map", true, 8);
+    if (auto light = with("light", false, 48)) return light;
+    if (auto joined = with("bidirectional", true, 15)) return joined;
+    return with("photon-map", true, 24);
 }
 
-BeyondDepth shareBeyond(std::uint32_t events, const Pilot& all, const Pilot& upTo) {
-    double mean = 0.0, squares = 0.0;
-    const double n = static_cast<double>(all.totals.size());
-    for (std::size_t k = 0; k < all.totals.size(); ++k) mean += (all.totals[k] - upTo.totals[k]) / n;
-    for (std::size_t k = 0; k < all.totals.size(); ++k) {
-        const double off = all.totals[k] - upTo.totals[k] - mean;
-        squares += off * off;
-    }
-    if (!(all.mean > 0.0)) return {events, 0.0, 0.0};
-    return {events, std::max(0.0, mean / all.mean), std::sqrt(squares / (n - 1.0) / n) / all.mean};
+Tail tailOf(const Pilot& all, const Pilot& twoThirds, const Pilot& third, double mostRatio) {
+    const Difference last = differenceOf(all, twoThirds), before = differenceOf(twoThirds, third);
+    constexpr double kEndless = 0.999;
+    const double bound = std::min(mostRatio, kEndless);
+    const auto tail = [&](double light, double lightBefore) {
+        if (!(light > 0.0)) return 0.0;
+        const double ratio = lightBefore > 0.0 ? std::min(light / lightBefore, bound) : bound;
+        return light * ratio / (1.0 - ratio);
+    };
+    const double likely = tail(last.mean, before.mean);
+    const double most =
+        tail(last.mean + kSure * last.standardError, before.mean - kSure * before.standardError);
+    return {likely, (most - likely) / kSure};
+}
+
+BeyondDepth shareBeyond(std::uint32_t events, const Pilot& all, const Pilot& upTo, const Tail& tail) {
+    const double light = all.mean + tail.light;
+    if (!(light > 0.0)) return {events, 0.0, 0.0};
+    const Difference missing = differenceOf(all, upTo);
+    return {events, std::max(0.0, missing.mean + tail.light) / light,
+            (missing.standardError + tail.standardError) / light};
 }
 
 std::string shareWords(const BeyondDepth& beyond, double tolerance) {

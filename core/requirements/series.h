@@ -12,14 +12,25 @@ inline constexpr double kSure = 2.0;  // standard errors that a measured share i
 /// A way that finds all light, to be followed deep.
 struct Series {
     Plan plan;
-    std::uint32_t deepest;
+    std::uint32_t deepest;  ///< a multiple of 3
 };
+
+/// Light beyond the deepest paths that were followed.
+struct Tail {
+    double light = 0.0;  ///< in the units of Pilot::mean
+    double standardError = 0.0;
+};
+
+/// As if what each third of the depth brings went on to fall as the last two do, but by no less than
+/// `mostRatio`: what walls may keep over a third. The three runs have the same passes.
+Tail tailOf(const Pilot& all, const Pilot& twoThirds, const Pilot& third, double mostRatio);
 
 /// Nothing if no way finds all light.
 std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32_t maxSpecular);
 
-/// Of the light of `all` that is not in `upTo`, which has the same passes, cut after so many events.
-BeyondDepth shareBeyond(std::uint32_t events, const Pilot& all, const Pilot& upTo);
+/// Of the light of `all` and beyond, what is not in `upTo`, which has the same passes, cut after so many
+/// events.
+BeyondDepth shareBeyond(std::uint32_t events, const Pilot& all, const Pilot& upTo, const Tail& tail = {});
 
 /// What may be missing, as far as is known.
 inline double mayMiss(const BeyondDepth& beyond) {

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "app/embedded_sources.h"
+#include "app/line_breaks.h"
 #include "app/png_image.h"
 #include "app/theme.h"
 #include "demo_panel.h"
@@ -87,6 +88,33 @@ TEST_CASE("every text colour can be read on both grounds") {
     for (const ImU32 ground : {p.background, p.panel, p.currentLine})
         for (const ImU32 color : {p.ink, p.inkSoft, p.accent, p.error, p.exact, p.estimate})
             CHECK(contrast(color, ground) >= 4.5);
+}
+
+TEST_CASE("lines end at spaces, and never within a number or before its percent sign") {
+    const auto host = HeadlessHost::withoutGl(300, 200);
+    const std::string words =
+        "Tried 8 times: error 33 % \u00b1 0.81 %, 1e-3.5 rays; predicted 34 %. As\npredicted.";
+    host->frameWithoutDrawing([&] {
+        for (float width = 1.0f; width < 600.0f; width += 1.0f) {
+            std::string lines = brokenInto(words, width);
+            INFO(lines);
+            for (const char* whole : {"33 %", "0.81 %,", "1e-3.5", "34 %."})
+                REQUIRE(lines.find(whole) != std::string::npos);
+            for (std::size_t begin = 0; begin < lines.size();) {
+                const std::size_t end = std::min(lines.find('\n', begin), lines.size());
+                const std::string line = lines.substr(begin, end - begin);
+                const bool one = endOfWord(line) == line.size();
+                REQUIRE((one || ImGui::CalcTextSize(line.c_str()).x <= width + 1.0f));
+                begin = end + 1;
+            }
+            std::replace(lines.begin(), lines.end(), '\n', ' ');
+            std::string plain = words;
+            std::replace(plain.begin(), plain.end(), '\n', ' ');
+            REQUIRE(lines == plain);
+        }
+        CHECK(brokenInto("a b", 1000.0f) == "a b");
+        CHECK(brokenInto("", 10.0f).empty());
+    });
 }
 
 TEST_CASE("every promised character is in every font") {

@@ -3,6 +3,7 @@
 
 #include "core/render.h"
 #include "core/requirements/requirements.h"
+#include "core/requirements/series.h"
 #include "rooms.h"
 #include "support.h"
 
@@ -97,4 +98,84 @@ TEST_CASE("requirements: where no path tried is longer, the usual number of glas
     const RequirementsAnswer answer = requirementsOf({.index = index, .sensor = sensor});
     CHECK(answer.plan.maxSpecular == kMaxSpecularInfo.initial);
     CHECK(answer.specular.measured.size() <= 1);
+}
+
+namespace {
+
+/// Totals of three runs, `third` deep each: what a third brings is `ratio` of what the third before brought.
+std::array<Pilot, 3> fallingRuns(double ratio, double noise) {
+    std::array<Pilot, 3> runs;
+    Random random(3);
+    for (int pass = 0; pass < 1000; ++pass) {
+        double total = 0.0, brings = 8.0;
+        for (Pilot& run : runs) {
+            run.totals.push_back(total += brings * random.in(1.0 - noise, 1.0 + noise));
+            brings *= ratio;
+        }
+    }
+    for (Pilot& run : runs) {
+        for (const double total : run.totals) run.mean += total / 1000.0;
+    }
+    return runs;
+}
+
+/// A matt room with a bulb and a mirror: only photons carry all of its light to an eye.
+Scene bulbAndMirror() {
+    Scene scene;
+    const Vec2 corners[] = {{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.5}, {0.0, 1.5}};
+    addWall(scene, {0.0, 1.0}, {0.0, 0.1});
+    scene.materials.back() = Mirror{Rgb(0.95)};
+    for (int i = 0; i < 4; ++i) {
+        addWall(scene, corners[i], corners[(i + 1) % 4]);
+        scene.materials.back() = Diffuse{Rgb(0.7)};
+    }
+    scene.lights.emplace_back(PointLight{{1.0, 1.0}, Rgb(1.0)});
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("requirements: light beyond the deepest paths is what falling on would bring") {
+    for (const double ratio : {0.1, 0.5, 0.9}) {
+        const auto runs = fallingRuns(ratio, 0.0);
+        const double beyond = 8.0 * std::pow(ratio, 3.0) / (1.0 - ratio);
+        const Tail tail = tailOf(runs[2], runs[1], runs[0], 1.0);
+        CHECK(tail.light == doctest::Approx(beyond));
+        CHECK(tail.standardError == doctest::Approx(0.0).epsilon(1e-9));
+        // Walls that keep less make it less.
+        const double kept = 0.8 * ratio;
+        CHECK(tailOf(runs[2], runs[1], runs[0], kept).light ==
+              doctest::Approx(8.0 * ratio * ratio * kept / (1.0 - kept)));
+        const auto noisy = fallingRuns(ratio, 0.5);
+        const Tail unsure = tailOf(noisy[2], noisy[1], noisy[0], 0.95);
+        CHECK(unsure.standardError > 0.0);
+        CHECK(std::abs(unsure.light - beyond) < 5.0 * unsure.standardError);
+    }
+    Pilot still;
+    still.totals = {1.0, 1.0};
+    CHECK(tailOf(still, still, still, 0.9).light == 0.0);
+}
+
+TEST_CASE("requirements: where only photons carry all light, no more than the tolerance is left out") {
+    const Scene scene = bulbAndMirror();
+    const SegmentIndex index(scene);
+    const Sensor sensor = EyeStrip{{{0.3, 0.9}, glm::normalize(Vec2(1.0, -0.5)), 1.4}, 8};
+    for (const double tolerance : {0.1, 0.01}) {
+        const RequirementsAnswer answer = requirementsOf({index, sensor, tolerance});
+        REQUIRE(answer.plan.way.photonPass);
+        const Problem problem{.index = index, .sensor = sensor, .seed = 99};
+        const auto upTo = [&](std::uint32_t depth) {
+            Plan plan = answer.plan;
+            plan.maxDepth = depth;
+            return pilot(problem, plan, {.rays = 0, .leastPasses = 24, .mostPasses = 24});
+        };
+        const Pilot all = upTo(60);
+        const auto missing = [&](std::uint32_t depth) { return shareBeyond(depth, all, upTo(depth)); };
+        const BeyondDepth planned = missing(answer.plan.maxDepth);
+        INFO("depth " << planned.depth << ": " << planned.share << " of " << tolerance);
+        CHECK(planned.share - 3.0 * planned.standardError <= tolerance);
+        // Two scatterings fewer would be told.
+        const BeyondDepth fewer = missing(answer.plan.maxDepth - 2);
+        CHECK(fewer.share - 3.0 * fewer.standardError > tolerance);
+    }
 }

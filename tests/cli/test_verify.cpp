@@ -89,7 +89,7 @@ TEST_CASE("verify: what can't be measured is refused with its place") {
         CHECK(outcome.err.find(said) != std::string::npos);
     };
     refused("measure = 'rays'\nwith = { estimator = 'photon' }\nequals = 1\n", "photon-map");
-    refused("measure = 'rays'\nwith = { params = { gather = 1 } }\nequals = 1\n", "not for cast-ray");
+    refused("measure = 'rays'\nwith = { params = { samples = 1 } }\nequals = 1\n", "not for cast-ray");
     refused("measure = 'direct'\nwith = { estimator = 'path' }\nequals = 1\n", "only cast-ray");
     refused("measure = 'standardError'\nwith = { repeats = 1 }\nequals = 1\n",
             "standard error of one repeat");

@@ -49,7 +49,7 @@ TEST_CASE("a claim measures what its step sets, but for what it sets itself") {
     CHECK(claim.of.at == WallPoint{0, 0.25});
     CHECK(claim.of.settings.maxSpecular == 2);
     CHECK(claim.of.repeats == 50);
-    CHECK(claim.of.maker == makerOf("path"));
+    CHECK(claim.of.maker.estimator == "path");
     REQUIRE(claim.over.has_value());
     CHECK(claim.over->settings.samples == 8);
     CHECK(claim.over->settings.sampler == Sampler::cosine);

@@ -46,8 +46,8 @@ void applyColors(ImGuiStyle& style, const Palette& palette) {
     set(ImGuiCol_HeaderHovered, palette.halfDisk, 0.50f);
     set(ImGuiCol_HeaderActive, palette.halfDisk, 0.75f);
     set(ImGuiCol_CheckMark, palette.accent);
-    set(ImGuiCol_SliderGrab, palette.accent);
-    set(ImGuiCol_SliderGrabActive, palette.ink);
+    set(ImGuiCol_SliderGrab, palette.knob);
+    set(ImGuiCol_SliderGrabActive, palette.knob);
     set(ImGuiCol_Separator, palette.wallBack);
     set(ImGuiCol_ScrollbarBg, palette.grid, 0.5f);
     set(ImGuiCol_ScrollbarGrab, palette.wallBack);

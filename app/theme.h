@@ -32,6 +32,7 @@ struct Palette {
     ImU32 error = IM_COL32(0xb0, 0x2a, 0x1a, 255);             ///< messages of failure
     ImU32 exact = IM_COL32(0x00, 0x66, 0x9e, 255);             ///< values known exactly
     ImU32 estimate = IM_COL32(0xb0, 0x4a, 0x00, 255);          ///< values that were sampled
+    ImU32 knob = IM_COL32(0x37, 0x8a, 0xb3, 255);              ///< of a slider, under its number
     ImU32 grid = IM_COL32(0xe2, 0xdc, 0xd0, 255);              ///< thin lines behind the scene
 };
 

@@ -88,6 +88,13 @@ TEST_CASE("every text colour can be read on both grounds") {
     for (const ImU32 ground : {p.background, p.panel, p.currentLine})
         for (const ImU32 color : {p.ink, p.inkSoft, p.accent, p.error, p.exact, p.estimate})
             CHECK(contrast(color, ground) >= 4.5);
+    ImGuiStyle style;
+    applyTheme(style, 1.0f, p);
+    for (const ImGuiCol knob : {ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive}) {
+        const ImU32 color = ImGui::ColorConvertFloat4ToU32(style.Colors[knob]);
+        CHECK_MESSAGE(contrast(p.ink, color) >= 4.5, "a slider's number is written over its knob");
+        for (const ImU32 ground : {p.background, p.panel}) CHECK(contrast(color, ground) >= 3.0);
+    }
 }
 
 TEST_CASE("lines end at spaces, and never within a number or before its percent sign") {

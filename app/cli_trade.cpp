@@ -9,8 +9,10 @@
 #include "app/cli_commands.h"
 #include "app/interruption.h"
 #include "app/progress_bar.h"
+#include "app/trade_data.h"
 #include "app/trade_plots.h"
 #include "app/trade_reference_file.h"
+#include "app/trade_reference_store.h"
 #include "app/trade_request.h"
 #include "app/trade_text.h"
 #include "lessons/atomic_file.h"
@@ -69,10 +71,12 @@ class TradeJob {
 
  private:
     void findReference(const StopQuestion& stop) {
+        const Problem problem = request_.problem(stop);
         if (folder_)
-            if (auto kept = readReference(*folder_, trade_.question)) reference_ = std::move(*kept);
+            if (auto kept = readReference(*folder_, trade_.question, pixelCount(problem.sensor)))
+                reference_ = std::move(*kept);
         if (reference_.mean.empty()) {
-            reference_ = newReference(request_.problem(stop));
+            reference_ = newReference(problem);
             if (folder_) writeReference(*folder_, trade_.question, reference_);
         }
         trade_.referenceWords = reference_.how;
@@ -89,8 +93,13 @@ class TradeJob {
         PassBudget budget = request_.budget;
         budget.rays *= kReferenceShare;
         budget.seconds *= kReferenceShare;
+        if (folder_) begun_ = readBegunReference(*folder_, trade_.question, pixelCount(problem.sensor));
         try {
-            return longRun(problem, budget);
+            return longRun(problem, budget, &begun_);
+        } catch (const Stopped&) {
+            if (folder_ && begun_.run.groups.passes() > 0)
+                writeBegunReference(*folder_, trade_.question, begun_);
+            throw;
         } catch (const NoReference& why) {
             throw InputError(fmt::format("{}: {}; expected --reference FILE, or another --sensor",
                                          request_.texts.scene, why.what()));
@@ -118,7 +127,12 @@ class TradeJob {
     int tell(bool stopped) {
         const std::size_t all = request_.settings.size();
         if (stopped && (reference_.mean.empty() || trade_.cells.empty())) {
-            writeError("stopped before the first setting was measured");
+            const std::uint64_t passes = begun_.run.groups.passes();
+            const std::string how =
+                folder_ ? "the same command goes on with it" : "-o DIR would have kept it";
+            writeError(reference_.mean.empty() && passes > 0
+                           ? fmt::format("stopped: {} passes of the reference are done; {}", passes, how)
+                           : "stopped before the first setting was measured");
             return kExitStopped;
         }
         const TradeReport report = reportOf(trade_);
@@ -147,27 +161,30 @@ class TradeJob {
     std::optional<fs::path> folder_;
     TradeFolder trade_;
     TradeReference reference_;
+    BegunRun begun_;  ///< of the reference
     std::chrono::steady_clock::time_point start_{};
 };
 
 int runMerge(const std::vector<std::string>& folders, const std::string& output,
              const std::optional<std::string>& target, bool asJson) {
-    TradeFolder trade = mergedFolders({folders.begin(), folders.end()});
+    const std::vector<fs::path> parts(folders.begin(), folders.end());
+    TradeFolder trade = mergedFolders(parts);
     if (target) trade.target = numberArgument("--target", *target, kLeastTradeError, kMostTradeError);
     makeTradeFolder(output);
     readCells(output, trade.question);  // a folder of another question is refused
     for (const auto& numbered : trade.cells) writeCell(output, trade, numbered.first);
+    for (const std::string& problem : copyReference(parts, output, trade.question)) writeError(problem, true);
     const TradeReport report = reportOf(trade);
     const std::vector<std::string> names = writeReport(output, trade, report);
-    const std::size_t all = trade.question.at("settings").size();
     if (asJson) {
         writeJson(reportJson(trade, report));
     } else {
-        writeOutput(reportText(trade, report) +
+        writeOutput(reportText(trade, report) + missingText(trade) +
                     fmt::format("\nwritten to {}: {}\n", output, fmt::join(names, ", ")));
     }
-    if (trade.cells.size() < all)
-        writeError(fmt::format("{} of {} settings are not in these folders", all - trade.cells.size(), all));
+    if (const std::vector<std::string> missing = missingSettings(trade); !missing.empty())
+        writeError(fmt::format("{} of {} settings are in none of these folders", missing.size(),
+                               missing.size() + trade.cells.size()));
     return kExitSuccess;
 }
 

@@ -6,69 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 
-#include "app/estimator_arguments.h"
+#include "app/trade_json.h"
 #include "lessons/atomic_file.h"
-#include "lessons/input_error.h"
 
 namespace halfdisk {
 namespace {
 
 namespace fs = std::filesystem;
-
-Json uncertainJson(const Uncertain& number) {
-    return Json::array({jsonOf(number.value), jsonOf(number.error)});
-}
-double numberFrom(const Json& json) {
-    return json.is_null() ? std::nan("") : json.get<double>();
-}
-Uncertain uncertainFrom(const Json& json) {
-    return {numberFrom(json.at(0)), numberFrom(json.at(1))};
-}
-Json pictureJson(const Picture& picture) {
-    Json pixels = Json::array();
-    for (const Rgb& pixel : picture) pixels.push_back(jsonOf(pixel));
-    return pixels;
-}
-Picture pictureFrom(const Json& json) {
-    Picture picture;
-    for (const Json& pixel : json)
-        picture.push_back({numberFrom(pixel.at(0)), numberFrom(pixel.at(1)), numberFrom(pixel.at(2))});
-    return picture;
-}
-
-/// Throws InputError with the file's name if it is no JSON, or lacks what `read` asks for.
-template <class Read>
-auto readJson(const fs::path& file, const Read& read) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string bytes(std::istreambuf_iterator<char>(stream), {});
-    if (!stream) throw InputError(file.string(), "cannot be read");
-    try {
-        return read(Json::parse(bytes));
-    } catch (const Json::exception&) {
-        throw InputError(file.string(), "is damaged, or not what halfdisk trade wrote");
-    }
-}
-
-/// What the first differing key is, in words.
-std::string differenceOf(const Json& here, const Json& asked) {
-    for (const auto& item : asked.items())
-        if (!here.contains(item.key()) || here[item.key()] != item.value()) {
-            if (item.key() == "settings") return "it compares other settings (--estimators, --sweep)";
-            return fmt::format("its {} is {}, not {}", item.key(),
-                               here.contains(item.key()) ? here[item.key()].dump() : "unknown",
-                               item.value().dump());
-        }
-    return "it is about something else";
-}
-
-std::string shortened(std::string text) {
-    constexpr std::size_t kMost = 200;
-    if (text.size() > kMost) text = text.substr(0, kMost) + " ...";
-    return text;
-}
 
 TradeCell cellFrom(const fs::path& file, const Json& json) {
     const auto refuse = [&](const std::string& why) { throw InputError(file.string(), why); };
@@ -96,14 +41,17 @@ TradeCell cellFrom(const fs::path& file, const Json& json) {
     cell.nonFinite = json.at("nonFinite").get<std::uint64_t>();
     cell.preparationSeconds = json.at("preparationSeconds").get<double>();
     cell.seconds = json.at("seconds").get<double>();
+    cell.secondsError = json.value("secondsError", 0.0);  // older folders do not know
+    cell.paceSeconds = json.value("paceSeconds", 0.0);
     cell.statistics.variance = uncertainFrom(json.at("variance"));
     cell.statistics.bias2 = uncertainFrom(json.at("bias2"));
     cell.statistics.noise = numberFrom(json.at("noise"));
     cell.statistics.mse = uncertainFrom(json.at("groupMse"));
     cell.statistics.mean = numberFrom(json.at("mean"));
     for (const Json& level : json.at("levels"))
-        cell.levels.push_back(
-            {level.at(0).get<double>(), {numberFrom(level.at(1)), numberFrom(level.at(2))}});
+        cell.levels.push_back({level.at(0).get<double>(),
+                               {numberFrom(level.at(1)), numberFrom(level.at(2))},
+                               level.size() > 3 ? level.at(3).get<std::uint64_t>() : 0});
     if (!json.at("exponent").is_null()) cell.exponent = uncertainFrom(json.at("exponent"));
     return cell;
 }
@@ -118,7 +66,7 @@ struct CellFile {
 };
 
 CellFile readCellFile(const fs::path& file) {
-    return readJson(file, [&](const Json& json) {
+    return readTradeFile(file, [&](const Json& json) {
         const Json& truth = json.at("truth");
         return CellFile{json.at("question"),
                         {truth.at("light").get<double>(), truth.at("relativeError").get<double>(),
@@ -142,6 +90,14 @@ std::vector<fs::path> cellFiles(const fs::path& folder) {
 
 }  // namespace
 
+std::vector<std::string> missingSettings(const TradeFolder& trade) {
+    const Json& settings = trade.question.at("settings");
+    std::vector<std::string> missing;
+    for (std::size_t i = 0; i < settings.size(); ++i)
+        if (trade.cells.count(i) == 0) missing.push_back(settings[i].get<std::string>());
+    return missing;
+}
+
 Json cellJson(const TradeCell& cell) {
     Json json;
     json["name"] = cell.name;
@@ -161,6 +117,8 @@ Json cellJson(const TradeCell& cell) {
     json["nonFinite"] = cell.nonFinite;
     json["preparationSeconds"] = cell.preparationSeconds;
     json["seconds"] = cell.seconds;
+    json["secondsError"] = cell.secondsError;
+    json["paceSeconds"] = cell.paceSeconds;
     json["variance"] = uncertainJson(cell.statistics.variance);
     json["bias2"] = uncertainJson(cell.statistics.bias2);
     json["noise"] = jsonOf(cell.statistics.noise);
@@ -168,7 +126,8 @@ Json cellJson(const TradeCell& cell) {
     json["mean"] = jsonOf(cell.statistics.mean);
     json["levels"] = Json::array();
     for (const TradeLevel& level : cell.levels)
-        json["levels"].push_back({level.passes, jsonOf(level.mse.value), jsonOf(level.mse.error)});
+        json["levels"].push_back(
+            {level.passes, jsonOf(level.mse.value), jsonOf(level.mse.error), level.rays});
     json["exponent"] = cell.exponent ? uncertainJson(*cell.exponent) : Json(nullptr);
     return json;
 }
@@ -177,11 +136,7 @@ std::map<std::size_t, TradeCell> readCells(const fs::path& folder, const Json& q
     std::map<std::size_t, TradeCell> cells;
     for (const fs::path& file : cellFiles(folder)) {
         CellFile read = readCellFile(file);
-        if (read.question != question)
-            throw InputError(
-                file.string(),
-                fmt::format("answers another question: {}; expected an empty folder, or the same question",
-                            shortened(differenceOf(read.question, question))));
+        requireQuestion(file, read.question, question);
         cells.emplace(read.number, std::move(read.cell));
     }
     return cells;
@@ -198,40 +153,6 @@ void writeCell(const fs::path& folder, const TradeFolder& trade, std::size_t num
     json["number"] = number;
     json["cell"] = cellJson(trade.cells.at(number));
     writeFileAtomically(folder / "cells" / fmt::format("{:04}.json", number), json.dump(1) + '\n');
-}
-
-std::optional<TradeReference> readReference(const fs::path& folder, const Json& question) {
-    const fs::path file = folder / "reference.json";
-    std::error_code failed;
-    if (!fs::exists(file, failed)) return std::nullopt;
-    return readJson(file, [&](const Json& json) {
-        if (json.at("question") != question)
-            throw InputError(
-                file.string(),
-                fmt::format("answers another question: {}; expected an empty folder, or the same question",
-                            shortened(differenceOf(json.at("question"), question))));
-        TradeReference reference;
-        reference.how = json.at("how").get<std::string>();
-        reference.relativeError = json.at("relativeError").get<double>();
-        reference.pixels = json.at("pixels").get<std::vector<std::uint32_t>>();
-        reference.mean = pictureFrom(json.at("mean"));
-        reference.standardError = pictureFrom(json.at("standardError"));
-        for (const Json& group : json.at("groups")) reference.groups.push_back(pictureFrom(group));
-        return reference;
-    });
-}
-
-void writeReference(const fs::path& folder, const Json& question, const TradeReference& reference) {
-    Json json;
-    json["question"] = question;
-    json["how"] = reference.how;
-    json["relativeError"] = reference.relativeError;
-    json["pixels"] = reference.pixels;
-    json["mean"] = pictureJson(reference.mean);
-    json["standardError"] = pictureJson(reference.standardError);
-    json["groups"] = Json::array();
-    for (const Picture& group : reference.groups) json["groups"].push_back(pictureJson(group));
-    writeFileAtomically(folder / "reference.json", json.dump() + '\n');
 }
 
 TradeFolder mergedFolders(const std::vector<fs::path>& folders) {
@@ -251,10 +172,12 @@ TradeFolder mergedFolders(const std::vector<fs::path>& folders) {
                 merged.referenceWords = read.referenceWords;
                 merged.target = read.target;
             } else if (read.question != merged.question) {
-                throw InputError(file.string(),
-                                 fmt::format("answers another question than {}: {}", first,
-                                             shortened(differenceOf(read.question, merged.question))));
+                throw InputError(file.string(), fmt::format("answers another question than {}: {}", first,
+                                                            differenceOf(read.question, merged.question)));
             }
+            if (merged.truth.light > 0.0)
+                merged.truthSpread = std::max(
+                    merged.truthSpread, std::abs(read.truth.light - merged.truth.light) / merged.truth.light);
             merged.cells.emplace(read.number, std::move(read.cell));
         }
     }

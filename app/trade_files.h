@@ -1,7 +1,7 @@
 // How does a folder keep what was measured, cell by cell, so that work can be shared, stopped and gone on
 // with?
 //
-//   reference.json     the truth, with its error
+//   reference.json     the truth, with its error: see trade_reference_store.h
 //   cells/0007.json    one setting, measured: question, truth in numbers, results
 //   trade.csv, trade.json, front.svg, ...    what follows, written anew whenever cells are added
 #pragma once
@@ -22,7 +22,13 @@ struct TradeFolder {
     std::string referenceWords;
     double target = 0.05;
     std::map<std::size_t, TradeCell> cells;
+    /// Merged parts may have had long runs of their own, by time, for a truth: most by which the light of two
+    /// differs, as a share of it. `truth` is the first part's.
+    double truthSpread = 0.0;
 };
+
+/// Names of the settings of the question that no cell holds.
+std::vector<std::string> missingSettings(const TradeFolder& trade);
 
 Json cellJson(const TradeCell& cell);
 
@@ -30,10 +36,6 @@ Json cellJson(const TradeCell& cell);
 /// for files that answer another question or can't be read.
 std::map<std::size_t, TradeCell> readCells(const std::filesystem::path& folder, const Json& question);
 void writeCell(const std::filesystem::path& folder, const TradeFolder& trade, std::size_t number);
-
-std::optional<TradeReference> readReference(const std::filesystem::path& folder, const Json& question);
-void writeReference(const std::filesystem::path& folder, const Json& question,
-                    const TradeReference& reference);
 
 /// All cells of several folders together. Throws InputError where they answer different questions, or none.
 TradeFolder mergedFolders(const std::vector<std::filesystem::path>& folders);

@@ -1,47 +1,57 @@
-// How is a trade told: to people as a table, to machines as CSV and JSON?
+// How is a trade told to people? As a table, and what follows from it.
 #include "app/trade_text.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "app/render_result.h"
 #include "core/trade/trade_choice.h"
 
 namespace halfdisk {
 namespace {
 
-constexpr double kOnFront = 1.0 + 1e-9;
-
-Json optionalJson(const std::optional<double>& value) {
-    return value ? jsonOf(*value) : Json(nullptr);
-}
-
-Json lawJson(const TradeVerdict& verdict, std::size_t cost) {
-    Json json;
-    json["efficiency"] = jsonOf(verdict.efficiency[cost]);
-    json["toTarget"] = optionalJson(verdict.toTarget[cost]);
-    json["offAtTarget"] = optionalJson(verdict.offAtTarget[cost]);
-    json["off"] = optionalJson(verdict.off[cost]);
-    return json;
-}
-
 std::string percent(double share) {
     return fmt::format("{:.3g} %", 100.0 * share);
 }
 
-/// With ~ where few groups made the variance: what is rare may come dearer, or cheaper.
-std::string amount(const TradeCell& cell, const std::optional<double>& value) {
+/// With ~ where few groups made the variance: what is rare may come dearer, or cheaper. And where the time
+/// itself is not known better.
+std::string amount(const TradeReport& report, std::size_t i, TradeCost cost) {
+    const TradeCell& cell = report.cells[i];
+    const TradeVerdict& verdict = report.verdicts[i];
+    const std::optional<double>& value = verdict.toTarget[at(cost)];
     if (!value) return "never";
     constexpr double kRough = 0.3;
     const Uncertain variance = cell.statistics.variance;
-    return fmt::format("{}{:.3g}", variance.error > kRough * variance.value ? "~" : "", *value);
+    const bool rough = variance.error > kRough * variance.value ||
+                       (cost == TradeCost::seconds &&
+                        (cell.secondsError > kRough * cell.seconds || verdict.slower > kSureTime));
+    return fmt::format("{}{:.3g}", rough ? "~" : "", *value);
 }
 
-std::string factor(const std::optional<double>& value) {
+std::string factor(const TradeReport& report, std::size_t i, TradeCost cost) {
+    const std::optional<double>& value = report.verdicts[i].off[at(cost)];
     if (!value) return "never";
-    return *value < kOnFront ? "front" : fmt::format("{:.3g}x", *value);
+    return report.isOnFront(i, cost) ? "front" : fmt::format("{:.3g}x", *value);
+}
+
+/// Empty, or that times of some settings are those of a slower machine, or of this one when it was busy.
+std::string paceText(const TradeReport& report) {
+    std::string names;
+    double most = 1.0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < report.cells.size(); ++i) {
+        if (!(report.verdicts[i].slower > kSureTime)) continue;
+        most = std::max(most, report.verdicts[i].slower);
+        constexpr std::size_t kNamed = 4;
+        if (++count <= kNamed) names += fmt::format("{}{}", count > 1 ? ", " : "", report.cells[i].name);
+        if (count == kNamed + 1) names += ", ...";
+    }
+    if (count == 0) return {};
+    return fmt::format(
+        "\nTimes (~): the machine was up to {:.2g} times slower than at its best beside {} of {} settings "
+        "({}): it was busy, or it is another one. What such times cannot tell is left open\n",
+        most, count, report.cells.size(), names);
 }
 
 std::string biasWords(const TradeVerdict& verdict) {
@@ -133,115 +143,28 @@ std::string verdictWords(const TradeReport& report, std::size_t cell) {
     if (!report.cells[cell].measured()) return "refused";
     const TradeVerdict& verdict = report.verdicts[cell];
     if (verdict.foundNothing) return "found no light";
-    const bool rays = verdict.off[0] && *verdict.off[0] < kOnFront,
-               seconds = verdict.off[1] && *verdict.off[1] < kOnFront;
-    if (rays && seconds) return "on the front";
-    if (rays) return "on the front in rays";
-    if (seconds) return "on the front in time";
-    return verdict.nobody ? "nobody" : "";
-}
-
-Json reportJson(const TradeFolder& trade, const TradeReport& report) {
-    Json json;
-    json["question"] = trade.question;
-    json["reference"] = {{"how", trade.referenceWords},
-                         {"light", jsonOf(report.truth.light)},
-                         {"relativeError", jsonOf(report.truth.relativeError)},
-                         {"exact", report.truth.exact}};
-    json["target"] = report.target;
-    json["cells"] = Json::array();
-    for (std::size_t i = 0; i < report.cells.size(); ++i) {
-        const TradeCell& cell = report.cells[i];
-        const TradeVerdict& verdict = report.verdicts[i];
-        Json item = cellJson(cell);
-        if (cell.measured()) {
-            item["relativeError"] = jsonOf(verdict.relativeError);
-            item["rmse"] = jsonOf(verdict.rmse);
-            item["relativeBias"] = {jsonOf(verdict.bias), jsonOf(verdict.biasLow), jsonOf(verdict.biasHigh)};
-            item["biased"] = verdict.biased;
-            item["foundNothing"] = verdict.foundNothing;
-            item["passesToTarget"] = optionalJson(verdict.passesToTarget);
-            item["byRays"] = lawJson(verdict, 0);
-            item["bySeconds"] = lawJson(verdict, 1);
-            item["bySeconds"]["nobody"] = verdict.nobody;
-        }
-        json["cells"].push_back(item);
-    }
-    for (const auto& cost : kTradeCosts) {
-        const std::size_t k = at(cost.value);
-        Json front = Json::array(), crossings = Json::array();
-        for (const TradeStretch& stretch : report.fronts[k])
-            front.push_back({{"setting", report.cells[stretch.cell].name},
-                             {"fromError", stretch.fromError},
-                             {"toError", stretch.toError}});
-        for (const TradeCrossing& crossing : report.crossings[k])
-            crossings.push_back({{"above", std::string(crossing.coarse->id)},
-                                 {"below", std::string(crossing.fine->id)},
-                                 {"error", jsonOf(crossing.error)},
-                                 {"cost", jsonOf(crossing.cost)}});
-        json[k == 0 ? "frontByRays" : "frontBySeconds"] = front;
-        json[k == 0 ? "crossingsByRays" : "crossingsBySeconds"] = crossings;
-    }
-    return json;
-}
-
-std::string reportCsv(const TradeReport& report) {
-    std::string csv =
-        "setting,estimator,refusal,passes,rays,relativeError,rmse,mean,variance,varianceError,relativeBias,"
-        "biasLow,"
-        "biasHigh,biased,exponent,exponentError,passesToTarget,raysToTarget,offRays,offRaysAtTarget,"
-        "efficiencyPerRay,"
-        "preparationSeconds,seconds,secondsToTarget,offSeconds,offSecondsAtTarget,efficiencyPerSecond,"
-        "nobodySeconds,precision\n";
-    const auto number = [](const std::optional<double>& value) {
-        return value && std::isfinite(*value) ? numberText(*value) : std::string();
-    };
-    const auto quoted = [](const std::string& text) {
-        std::string inside;
-        for (const char c : text) inside += c == '"' ? std::string(2, '"') : std::string(1, c);
-        return fmt::format("\"{}\"", inside);
-    };
-    for (std::size_t i = 0; i < report.cells.size(); ++i) {
-        const TradeCell& cell = report.cells[i];
-        const TradeVerdict& verdict = report.verdicts[i];
-        csv += fmt::format("{},{},{}", quoted(cell.name), cell.setting.estimator->id, quoted(cell.refusal));
-        const std::string_view precision = nameOf(kPrecisions, precisionOf(cell.setting.index));
-        if (!cell.measured()) {
-            csv += fmt::format("{},{}\n", std::string(25, ','), precision);
-            continue;
-        }
-        csv += fmt::format(",{},{}", cell.passes, cell.rays);
-        const auto add = [&](const std::optional<double>& value) {
-            csv += ',';
-            csv += number(value);
-        };
-        for (const double value :
-             {verdict.relativeError, verdict.rmse, cell.statistics.mean, cell.statistics.variance.value,
-              cell.statistics.variance.error, verdict.bias, verdict.biasLow, verdict.biasHigh})
-            add(value);
-        csv += verdict.biased ? ",1" : ",0";
-        add(cell.exponent ? std::optional(cell.exponent->value) : std::nullopt);
-        add(cell.exponent ? std::optional(cell.exponent->error) : std::nullopt);
-        add(verdict.passesToTarget);
-        for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
-            if (k == 1) {
-                add(cell.preparationSeconds);
-                add(cell.seconds);
-            }
-            add(verdict.toTarget[k]);
-            add(verdict.off[k]);
-            add(verdict.offAtTarget[k]);
-            add(verdict.efficiency[k]);
-        }
-        csv += fmt::format(",{},{}\n", verdict.nobody ? 1 : 0, precision);
-    }
-    return csv;
+    if (verdict.sameRunAs) return "the same run as " + report.cells[*verdict.sameRunAs].name;
+    const TradeSetting& setting = report.cells[cell].setting;
+    const bool endless = setting.estimator->endless && setting.estimator->endless(setting.params);
+    const bool rays = report.isOnFront(cell, TradeCost::rays),
+               seconds = report.isOnFront(cell, TradeCost::seconds);
+    std::string words = rays && seconds  ? "on the front"
+                        : rays           ? "on the front in rays"
+                        : seconds        ? "on the front in time"
+                        : verdict.nobody ? "nobody"
+                                         : "";
+    if (endless)
+        words += fmt::format("{}has all bounces, not {}", words.empty() ? "" : "; ", report.truth.askedDepth);
+    return words;
 }
 
 std::string reportText(const TradeFolder& trade, const TradeReport& report) {
     std::string text = fmt::format("reference: {}; its error {} of the light, {:.4g}; scattered at most {}\n",
                                    trade.referenceWords, percent(report.truth.relativeError),
                                    report.truth.light, times(report.truth.askedDepth));
+    if (trade.truthSpread > 0.0)
+        text += fmt::format("the parts had references of their own, which differ by {} at most\n",
+                            percent(trade.truthSpread));
     if (!(report.truth.light > 0.0))
         return text + "no light reaches the sensor: no error is relative to anything\n";
     std::size_t width = 20;
@@ -260,10 +183,11 @@ std::string reportText(const TradeFolder& trade, const TradeReport& report) {
         text += fmt::format("{:<{}} {:>9.3g} {:>8.3g} {:>8.3g} {:>20} {:>11} {:>9} {:>8} {:>7} {:>7}  {}\n",
                             cell.name, width, static_cast<double>(cell.rays),
                             cell.preparationSeconds + cell.seconds, 100.0 * verdict.relativeError,
-                            biasWords(verdict), exponentWords(cell), amount(cell, verdict.toTarget[0]),
-                            amount(cell, verdict.toTarget[1]), factor(verdict.off[0]), factor(verdict.off[1]),
-                            verdictWords(report, i));
+                            biasWords(verdict), exponentWords(cell), amount(report, i, TradeCost::rays),
+                            amount(report, i, TradeCost::seconds), factor(report, i, TradeCost::rays),
+                            factor(report, i, TradeCost::seconds), verdictWords(report, i));
     }
+    text += paceText(report);
     text += choiceText(report);
     for (const auto& cost : kTradeCosts) text += frontText(report, cost);
     for (const auto& cost : kTradeCosts) text += crossingsText(report, cost);
@@ -271,15 +195,22 @@ std::string reportText(const TradeFolder& trade, const TradeReport& report) {
     for (std::size_t i = 0; i < report.cells.size(); ++i) {
         if (!report.cells[i].measured())
             refused += fmt::format("  {}: {}\n", report.cells[i].name, report.cells[i].refusal);
-        else if (report.verdicts[i].nobody)
+        else if (report.verdicts[i].nobody && report.standsForItself(i))
             nobody += fmt::format("  {}: {} at best in rays, {} in time\n", report.cells[i].name,
-                                  factor(report.verdicts[i].off[0]), factor(report.verdicts[i].off[1]));
+                                  factor(report, i, TradeCost::rays), factor(report, i, TradeCost::seconds));
     }
     if (!nobody.empty())
         text += fmt::format("\nNobody should choose, for any error from {} to {}:\n{}",
                             percent(kMostTradeError), percent(kLeastTradeError), nobody);
     if (!refused.empty()) text += fmt::format("\nNot measured:\n{}", refused);
     return text;
+}
+
+std::string missingText(const TradeFolder& trade) {
+    const std::vector<std::string> missing = missingSettings(trade);
+    if (missing.empty()) return {};
+    return fmt::format("\nMissing, {} of {} settings: {}\n", missing.size(),
+                       missing.size() + trade.cells.size(), fmt::join(missing, ", "));
 }
 
 }  // namespace halfdisk

@@ -1,4 +1,4 @@
-// How is a trade told: to people as a table, to machines as CSV and JSON?
+// How is a trade told to people? As a table, and what follows from it.
 #pragma once
 
 #include <string>
@@ -10,12 +10,11 @@ namespace halfdisk {
 /// All measured cells, by number, judged.
 TradeReport reportOf(const TradeFolder& trade);
 
-/// Keys whose numbers depend on the machine have "seconds" in their names.
-Json reportJson(const TradeFolder& trade, const TradeReport& report);
-std::string reportCsv(const TradeReport& report);
-
 /// The table, best first, then fronts, crossings and what nobody should choose.
 std::string reportText(const TradeFolder& trade, const TradeReport& report);
+
+/// Empty, or the settings that no cell holds.
+std::string missingText(const TradeFolder& trade);
 
 /// What a verdict says in a few words: `on the front`, `nobody`, `biased` ...
 std::string verdictWords(const TradeReport& report, std::size_t cell);

@@ -13,8 +13,6 @@
 namespace halfdisk {
 namespace {
 
-constexpr double kStillOnFront = 1.0 + 1e-9;
-
 /// `3.4 %`, `120 %`.
 std::string percentWords(double share) {
     return share < 0.995 ? say("{:.2g} %", 100.0 * share) : say("{:.0f} %", 100.0 * share);
@@ -64,11 +62,12 @@ std::string stretchWords(const TradeReport& report, std::size_t cell, const Name
 std::string standingWords(const TradeReport& report, std::size_t cell) {
     const TradeVerdict& verdict = report.verdicts[cell];
     if (verdict.foundNothing) return std::string(tr("It found no light at all."));
+    if (verdict.sameRunAs) return say("It is the same run as {}.", report.cells[*verdict.sameRunAs].name);
     std::string words;
     for (const Named<TradeCost>& cost : kTradeCosts) {
         const std::optional<double>& off = verdict.off[at(cost.value)];
         std::string line = stretchWords(report, cell, cost);
-        if (line.empty() && off && *off > kStillOnFront)
+        if (line.empty() && off)
             line = cost.value == TradeCost::rays
                        ? say("Not on the front: at best {} times the rays of the cheapest.", timesWords(*off))
                        : say("At best {} times the time of the fastest.", timesWords(*off));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/parallel.h"
 
@@ -13,6 +14,7 @@ namespace {
 struct Group {
     Picture mean;
     Counts counts;
+    double seconds = 0.0;
     bool whole = true;
 };
 
@@ -34,16 +36,30 @@ void PassGroups::joinNeighbours() {
             joined.back()[pixel] = (joined.back()[pixel] + means[i + 1][pixel]) / 2.0;
     }
     means = std::move(joined);
+    for (std::size_t i = 0; i + 1 < seconds.size(); i += 2) seconds[i / 2] = seconds[i] + seconds[i + 1];
+    seconds.resize(seconds.size() / 2);
     each *= 2;
+}
+
+double PassGroups::timeError() const {
+    if (seconds.size() < 2) return 0.0;
+    const double count = static_cast<double>(seconds.size());
+    double sum = 0.0, squares = 0.0;
+    for (const double one : seconds) sum += one;
+    for (const double one : seconds) squares += (one - sum / count) * (one - sum / count);
+    return sum > 0.0 ? std::sqrt(squares / (count - 1.0) * count) / sum : 0.0;
 }
 
 GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
                         const std::vector<std::uint32_t>& pixels, const PassBudget& budget,
-                        const StopQuestion& stop, const LevelTold& level) {
+                        const StopQuestion& stop, const LevelTold& level, GroupedPasses begun) {
     using Clock = std::chrono::steady_clock;
-    GroupedPasses run;
+    GroupedPasses run = std::move(begun);
+    run.interrupted = false;
     const auto start = Clock::now();
-    const auto elapsed = [start] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+    const auto elapsed = [start, before = run.seconds] {
+        return before + std::chrono::duration<double>(Clock::now() - start).count();
+    };
     const auto isSpent = [&] {
         if (run.groups.means.size() < PassGroups::kLeast) return false;
         // In the dark some cast none: a pass counts as a ray at least.
@@ -52,11 +68,12 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
                (budget.seconds > 0.0 && elapsed() >= budget.seconds) ||
                (budget.passes > 0 && run.groups.passes() >= budget.passes);
     };
-    std::atomic<bool> done{false};
+    std::atomic<bool> done{isSpent()};
     while (!done) {
         const std::uint64_t each = run.groups.each, first = run.groups.means.size();
         const auto work = [&](std::uint64_t chunk) {
             Group group;
+            const auto began = Clock::now();
             Picture sum(pixelCount, Rgb(0.0));
             try {
                 for (std::uint64_t k = 0; k < each; ++k) {
@@ -69,6 +86,7 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
             }
             for (Rgb& pixel : sum) pixel /= static_cast<double>(each);
             group.mean = chosenPixels(sum, pixels);
+            group.seconds = std::chrono::duration<double>(Clock::now() - began).count();
             return group;
         };
         bool whole = true;
@@ -79,6 +97,7 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
             // decide.
             if (!whole || (done && isSpent())) return;
             run.groups.means.push_back(group.mean);
+            run.groups.seconds.push_back(group.seconds);
             run.counts.merge(group.counts);
             if (isSpent()) done = true;
         };

@@ -13,10 +13,13 @@ struct PassGroups {
     static constexpr std::size_t kMost = 32;  ///< groups
     static constexpr std::size_t kLeast = 8;  ///< groups that are made even if the budget is spent
 
-    std::uint64_t each = 1;      ///< passes of a group
-    std::vector<Picture> means;  ///< of a group's passes; only the pixels that were asked for
+    std::uint64_t each = 1;       ///< passes of a group
+    std::vector<Picture> means;   ///< of a group's passes; only the pixels that were asked for
+    std::vector<double> seconds{};  ///< that the passes of a group took their worker; empty: not known
     std::uint64_t passes() const { return each * means.size(); }
     void joinNeighbours();
+    /// Relative standard error of the mean of `seconds`, by how the groups differ; 0: not known.
+    double timeError() const;
 };
 
 /// Only these pixels; all if `pixels` is empty.
@@ -41,9 +44,10 @@ struct GroupedPasses {
 using LevelTold = std::function<void(const GroupedPasses&)>;
 
 /// Passes 0, 1, ... of `estimator`, which keep `pixels` only (all if empty). `stop` is that of the
-/// estimator's problem.
+/// estimator's problem. `begun`: what an interrupted run left, to go on with; with a budget of rays or passes
+/// the result is that of a run without interruption.
 GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
                         const std::vector<std::uint32_t>& pixels, const PassBudget& budget,
-                        const StopQuestion& stop, const LevelTold& level = {});
+                        const StopQuestion& stop, const LevelTold& level = {}, GroupedPasses begun = {});
 
 }  // namespace halfdisk

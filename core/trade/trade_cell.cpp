@@ -2,8 +2,11 @@
 // budgets.
 #include "core/trade/trade_cell.h"
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
+
+#include "core/trade/pace.h"
 
 namespace halfdisk {
 namespace {
@@ -21,7 +24,43 @@ std::unique_ptr<Estimator> makeOrTell(const Problem& problem, const TradeSetting
     }
 }
 
+/// What is prepared in a moment is prepared again, and the median time told: a single interruption would be
+/// many times as long.
+std::unique_ptr<Estimator> prepared(const Problem& problem, const TradeSetting& setting, TradeCell& cell) {
+    constexpr double kMoment = 0.01;
+    constexpr std::size_t kTimes = 5;
+    std::unique_ptr<Estimator> estimator;
+    std::vector<double> times;
+    do {
+        const auto start = std::chrono::steady_clock::now();
+        estimator = makeOrTell(problem, setting, cell.refusal);
+        times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    } while (estimator && times.size() < kTimes && times[0] < kMoment);
+    std::sort(times.begin(), times.end());
+    cell.preparationSeconds = times[times.size() / 2];
+    return estimator;
+}
+
 }  // namespace
+
+bool isSameRun(const TradeCell& a, const TradeCell& b) {
+    const TradeSetting &one = a.setting, &other = b.setting;
+    if (!a.measured() || !b.measured() || one.estimator != other.estimator ||
+        one.maxDepth != other.maxDepth || one.facets != other.facets || one.index != other.index)
+        return false;
+    // What has no noise may come to the same in another way; noise to the last bit is the same paths.
+    const double variance = a.statistics.variance.value;
+    if (!(variance > 0.0) || !(b.statistics.variance.value > 0.0)) return false;
+    if (a.passes == b.passes)
+        return a.rays == b.rays && a.statistics.mean == b.statistics.mean &&
+               variance == b.statistics.variance.value;
+    const std::size_t common = std::min(a.levels.size(), b.levels.size());
+    return common > 0 && std::equal(a.levels.begin(), a.levels.begin() + static_cast<std::ptrdiff_t>(common),
+                                    b.levels.begin(), [](const TradeLevel& x, const TradeLevel& y) {
+                                        return x.passes == y.passes && x.mse.value == y.mse.value &&
+                                               x.rays == y.rays;
+                                    });
+}
 
 TradeCell measureCell(const Problem& problem, const TradeSetting& setting, std::uint32_t askedDepth,
                       const TradeReference& reference, const PassBudget& budget) {
@@ -30,14 +69,13 @@ TradeCell measureCell(const Problem& problem, const TradeSetting& setting, std::
     cell.name = nameOf(setting, askedDepth);
     const Scene& scene = problem.index.scene();
     cell.complete = setting.estimator->paths(scene, bitOf(problem.sensor)) == allPaths(scene);
-    const auto start = std::chrono::steady_clock::now();
-    const std::unique_ptr<Estimator> estimator = makeOrTell(problem, setting, cell.refusal);
-    cell.preparationSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double before = paceSeconds();
+    const std::unique_ptr<Estimator> estimator = prepared(problem, setting, cell);
     if (!estimator) return cell;
 
     const auto level = [&](const GroupedPasses& run) {
         cell.levels.push_back(
-            {static_cast<double>(run.groups.each), statisticsOf(run.groups, reference).mse});
+            {static_cast<double>(run.groups.each), statisticsOf(run.groups, reference).mse, run.counts.rays});
     };
     const GroupedPasses run =
         runGroups(*estimator, pixelCount(problem.sensor), reference.pixels, budget, problem.stop, level);
@@ -48,6 +86,8 @@ TradeCell measureCell(const Problem& problem, const TradeSetting& setting, std::
     cell.cut = run.counts.cut;
     cell.nonFinite = run.counts.nonFinite;
     cell.seconds = run.seconds;
+    cell.secondsError = run.groups.timeError() * run.seconds;
+    cell.paceSeconds = 0.5 * (before + paceSeconds());
     cell.statistics = statisticsOf(run.groups, reference);
     cell.exponent = exponentOf(cell.levels);
     return cell;

@@ -16,7 +16,10 @@ struct TradeCell {
     std::uint64_t passes = 0, groups = 0;
     std::uint64_t rays = 0, cut = 0, nonFinite = 0;
     double preparationSeconds = 0.0;
-    double seconds = 0.0;  ///< of the passes
+    double seconds = 0.0;       ///< of the passes
+    double secondsError = 0.0;  ///< its standard error, by how groups of passes differ
+    double paceSeconds =
+        0.0;  ///< of a fixed piece of work, before and after: see paceSeconds(); 0: not known
     TradeStatistics statistics;
     std::vector<TradeLevel> levels;
     std::optional<Uncertain> exponent;
@@ -25,6 +28,10 @@ struct TradeCell {
     double raysPerPass() const { return static_cast<double>(rays) / static_cast<double>(passes); }
     double secondsPerPass() const { return seconds / static_cast<double>(passes); }
 };
+
+/// Whether two settings did the same, ray by ray, though they are called differently: roulette from the 5th
+/// scattering on, and from the 17th, of paths that end at the 2nd. Only their times differ, by chance.
+bool isSameRun(const TradeCell& a, const TradeCell& b);
 
 /// Asks `problem` (whose index and depth are the setting's) for passes until the budget is spent. Refusals of
 /// estimators are part of the answer. Throws Stopped: a cell that was called off is no cell.

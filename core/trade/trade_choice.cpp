@@ -19,7 +19,7 @@ std::optional<TradeChoice> choose(const TradeReport& report, const TradeWish& wi
     const auto bestOf = [&](const EstimatorInfo* butNot) {
         std::optional<std::size_t> best;
         for (std::size_t i = 0; i < report.cells.size(); ++i) {
-            if (!report.cells[i].measured() || report.cells[i].setting.estimator == butNot) continue;
+            if (!report.standsForItself(i) || report.cells[i].setting.estimator == butNot) continue;
             const std::optional<double> value = valueOf(i);
             if (value && (!best || *value < *valueOf(*best))) best = i;
         }

@@ -76,14 +76,23 @@ void findFronts(TradeReport& report) {
     }
 }
 
+bool TradeReport::isOnFront(std::size_t cell, TradeCost cost) const {
+    const std::vector<TradeStretch>& front = fronts[at(cost)];
+    return std::any_of(front.begin(), front.end(),
+                       [cell](const TradeStretch& stretch) { return stretch.cell == cell; });
+}
+
 std::optional<CheapestCell> cheapest(const TradeReport& report, double error, TradeCost cost,
                                      const EstimatorInfo* estimator) {
     std::optional<CheapestCell> best;
     for (std::size_t i = 0; i < report.cells.size(); ++i) {
         const TradeCell& cell = report.cells[i];
-        if (!cell.measured() || (estimator && cell.setting.estimator != estimator)) continue;
+        if (!report.standsForItself(i) || (estimator && cell.setting.estimator != estimator)) continue;
         const std::optional<double> price = report.verdicts[i].law.costOf(error, cost);
-        if (price && (!best || *price < best->cost)) best = CheapestCell{i, *price};
+        if (!price) continue;
+        const auto bias2 = [&](std::size_t of) { return report.verdicts[of].law.bias2; };
+        if (!best || *price < best->cost || (*price == best->cost && bias2(i) < bias2(best->cell)))
+            best = CheapestCell{i, *price};
     }
     return best;
 }

@@ -54,7 +54,9 @@ TradeLaw lawOf(const TradeCell& cell, const TradeTruth& truth, bool biased, doub
         law.bias2 = std::max(0.0, measured.bias2.value + standardErrors * measured.bias2.error) / light2;
     law.preparation[at(TradeCost::seconds)] = cell.preparationSeconds;
     law.perPass[at(TradeCost::rays)] = cell.raysPerPass();
-    law.perPass[at(TradeCost::seconds)] = cell.secondsPerPass();
+    const double time = cell.secondsPerPass(),
+                 timeError = cell.secondsError / static_cast<double>(cell.passes);
+    law.perPass[at(TradeCost::seconds)] = std::max(time + standardErrors * timeError, 0.05 * time);
     return law;
 }
 

@@ -40,12 +40,12 @@ struct TradeLaw {
 };
 
 inline constexpr double kSureBias = 4.0;   ///< standard errors: of a hundred settings none by chance
-inline constexpr double kSureTime = 1.25;  ///< times vary by so much from run to run
+inline constexpr double kSureTime = 1.25;  ///< times vary by so much from run to run, at the same pace
 
 /// Whether a bias is sure: see kSureBias.
 bool isBiased(const TradeCell& cell, const TradeTruth& truth);
 
-/// The law of a measured cell if V and bias^2 are so many standard errors off.
+/// The law of a measured cell if V, bias^2 and the seconds of a pass are so many standard errors off.
 TradeLaw lawOf(const TradeCell& cell, const TradeTruth& truth, bool biased, double standardErrors);
 
 /// The same with the upper ends of what is not known.

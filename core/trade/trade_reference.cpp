@@ -2,6 +2,7 @@
 // leaves nothing out.
 #include "core/trade/trade_reference.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -109,6 +110,41 @@ Reference referenceOf(const Problem& problem, unsigned depth) {
     return reference;
 }
 
+const Candidate* candidateOf(std::string_view estimator) {
+    const auto found = std::find_if(kCandidates.begin(), kCandidates.end(),
+                                    [&](const Candidate& one) { return one.estimator == estimator; });
+    return found == kCandidates.end() ? nullptr : &*found;
+}
+
+/// By pilots. Throws NoReference and Stopped.
+const Candidate* bestCandidate(const Problem& problem, const PassBudget& budget) {
+    const std::string all = allPaths(problem.index.scene());
+    const Candidate* best = nullptr;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : kCandidates) {
+        const EstimatorInfo& info = *findEstimator(candidate.estimator);
+        const ParamValues values = paramsOf(info, candidate);
+        if (!info.bias.empty() || info.paths(problem.index.scene(), bitOf(problem.sensor)) != all) continue;
+        if (!refusalOf(info, problem, values).empty()) continue;
+        const auto estimator = info.make(problem, values);
+        const GroupedPasses pilot =
+            runGroups(*estimator, pixelCount(problem.sensor), {}, shareOf(budget, kPilotShare), problem.stop);
+        if (pilot.interrupted) throw Stopped();
+        const Uncertain variance = varianceOf(pilot.groups);
+        const double rays =
+            static_cast<double>(pilot.counts.rays) / static_cast<double>(pilot.groups.passes());
+        // A variance that few groups made, the others saw nothing, is told too small more often than not.
+        const double price = rays * (variance.value + 4.0 * variance.error);
+        if (best != nullptr && !(price < least)) continue;
+        best = &candidate;
+        least = price;
+    }
+    if (best == nullptr)
+        throw NoReference("no estimator without bias carries all light of this scene to the sensor " +
+                          std::string(kSensorNames[problem.sensor.index()]));
+    return best;
+}
+
 }  // namespace
 
 std::optional<TradeReference> exactReference(const Problem& problem) {
@@ -139,39 +175,23 @@ std::optional<TradeReference> exactReference(const Problem& problem) {
     return known;
 }
 
-TradeReference longRun(const Problem& problem, const PassBudget& budget) {
+TradeReference longRun(const Problem& problem, const PassBudget& budget, BegunRun* begun) {
     Problem other = problem;
     other.seed = problem.seed ^ kOtherSeed;
-    const std::string all = allPaths(problem.index.scene());
-    const EstimatorInfo* best = nullptr;
-    ParamValues params;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Candidate& candidate : kCandidates) {
-        const EstimatorInfo& info = *findEstimator(candidate.estimator);
-        const ParamValues values = paramsOf(info, candidate);
-        if (!info.bias.empty() || info.paths(problem.index.scene(), bitOf(problem.sensor)) != all) continue;
-        if (!refusalOf(info, other, values).empty()) continue;
-        const auto estimator = info.make(other, values);
-        const GroupedPasses pilot =
-            runGroups(*estimator, pixelCount(problem.sensor), {}, shareOf(budget, kPilotShare), problem.stop);
-        if (pilot.interrupted) throw Stopped();
-        const Uncertain variance = varianceOf(pilot.groups);
-        const double rays =
-            static_cast<double>(pilot.counts.rays) / static_cast<double>(pilot.groups.passes());
-        // A variance that few groups made, the others saw nothing, is told too small more often than not.
-        const double price = rays * (variance.value + 4.0 * variance.error);
-        if (best != nullptr && !(price < least)) continue;
-        best = &info;
-        params = values;
-        least = price;
+    const Candidate* chosen = begun && !begun->estimator.empty() ? candidateOf(begun->estimator) : nullptr;
+    if (chosen == nullptr) {
+        chosen = bestCandidate(other, budget);
+        if (begun) *begun = {std::string(chosen->estimator), {}};
     }
-    if (best == nullptr)
-        throw NoReference("no estimator without bias carries all light of this scene to the sensor " +
-                          std::string(kSensorNames[problem.sensor.index()]));
-    const auto estimator = best->make(other, params);
-    const GroupedPasses run = runGroups(*estimator, pixelCount(problem.sensor), {}, budget, problem.stop);
-    if (run.interrupted) throw Stopped();
-    return ofRun(*best, run, problem.maxSpecular);
+    const EstimatorInfo& info = *findEstimator(chosen->estimator);
+    const auto estimator = info.make(other, paramsOf(info, *chosen));
+    GroupedPasses run = runGroups(*estimator, pixelCount(problem.sensor), {}, budget, problem.stop, {},
+                                  begun ? std::move(begun->run) : GroupedPasses{});
+    if (run.interrupted) {
+        if (begun) begun->run = std::move(run);
+        throw Stopped();
+    }
+    return ofRun(info, run, problem.maxSpecular);
 }
 
 }  // namespace halfdisk

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 #include "core/trade/trade_statistics.h"
 
@@ -21,9 +22,16 @@ inline constexpr std::size_t kKnownCells = 200;
 /// Exact if the scene is matt and has few walls (see Reference); nothing else. Throws Stopped.
 std::optional<TradeReference> exactReference(const Problem& problem);
 
+/// A long run that was called off: whose, and how far it came.
+struct BegunRun {
+    std::string estimator;  ///< empty: not begun
+    GroupedPasses run;
+};
+
 /// A long run with another seed, of an estimator without bias that carries all paths: of those, the one whose
 /// pilot has the least variance times rays. `budget` is that of the whole run; pilots take a tenth of it
-/// each. Throws NoReference and Stopped.
-TradeReference longRun(const Problem& problem, const PassBudget& budget);
+/// each. `begun` (may be null): what an earlier call left to go on with, and where this one leaves it. Throws
+/// NoReference and Stopped.
+TradeReference longRun(const Problem& problem, const PassBudget& budget, BegunRun* begun = nullptr);
 
 }  // namespace halfdisk

@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-TradeVerdict verdictOf(const TradeCell& cell, const TradeTruth& truth, double target) {
-    TradeVerdict verdict;
+/// What follows from one cell alone.
+void fillVerdict(TradeVerdict& verdict, const TradeCell& cell, const TradeTruth& truth, double target) {
     const Uncertain bias2 = cell.statistics.bias2;
     const double light = truth.light, passes = static_cast<double>(cell.passes);
     const auto share = [&](double square) { return std::sqrt(std::max(0.0, square)) / light; };
@@ -35,7 +35,18 @@ TradeVerdict verdictOf(const TradeCell& cell, const TradeTruth& truth, double ta
         verdict.efficiency[i] = verdict.mse > 0.0 && spent > 0.0 ? 1.0 / (verdict.mse * spent) : kNever;
         verdict.toTarget[i] = verdict.law.costOf(target, cost.value);
     }
-    return verdict;
+}
+
+/// What the same run comes to, whatever it is called.
+void judgeLike(TradeVerdict& verdict, const TradeVerdict& first) {
+    verdict.law = first.law;
+    verdict.careful = first.careful;
+    verdict.passesToTarget = first.passesToTarget;
+    verdict.toTarget = first.toTarget;
+    verdict.off = first.off;
+    verdict.offAtTarget = first.offAtTarget;
+    verdict.dominated = first.dominated;
+    verdict.nobody = first.nobody;
 }
 
 double costOrNever(const TradeLaw& law, double error, TradeCost cost) {
@@ -64,11 +75,46 @@ std::optional<double> leastFactor(const TradeLaw& law, const std::vector<double>
     return least < kNever ? std::optional(least) : std::nullopt;
 }
 
-void judge(TradeReport& report) {
+/// Those that did the same are one, and of its times the better ones were less disturbed. Returns the cells
+/// with these times.
+std::vector<TradeCell> findSameRuns(TradeReport& report) {
+    std::vector<TradeCell> timed = report.cells;
+    for (std::size_t i = 0; i < timed.size(); ++i)
+        for (std::size_t first = 0; first < i && !report.verdicts[i].sameRunAs; ++first) {
+            if (report.verdicts[first].sameRunAs || !isSameRun(timed[first], timed[i])) continue;
+            report.verdicts[i].sameRunAs = first;
+            TradeCell& one = timed[first];
+            one.preparationSeconds = std::min(one.preparationSeconds, timed[i].preparationSeconds);
+            if (timed[i].secondsPerPass() >= one.secondsPerPass()) continue;
+            const double passes = static_cast<double>(one.passes) / static_cast<double>(timed[i].passes);
+            one.seconds = passes * timed[i].seconds;
+            one.secondsError = passes * timed[i].secondsError;
+            one.paceSeconds = timed[i].paceSeconds;
+        }
+    return timed;
+}
+
+void findPace(TradeReport& report, const std::vector<TradeCell>& timed) {
+    double fastest = kNever;
+    for (const TradeCell& cell : timed)
+        if (cell.paceSeconds > 0.0) fastest = std::min(fastest, cell.paceSeconds);
+    for (std::size_t i = 0; i < timed.size(); ++i)
+        if (timed[i].paceSeconds > 0.0) report.verdicts[i].slower = timed[i].paceSeconds / fastest;
+}
+
+/// The law at its best: what is not known was against it, and the machine as fast as it ever was.
+TradeLaw cheapLaw(const TradeCell& cell, const TradeTruth& truth, const TradeVerdict& verdict) {
+    TradeLaw law = lawOf(cell, truth, verdict.biased, -2.0);
+    law.preparation[at(TradeCost::seconds)] /= verdict.slower;
+    law.perPass[at(TradeCost::seconds)] /= verdict.slower;
+    return law;
+}
+
+void judge(TradeReport& report, const std::vector<TradeCell>& timed) {
     std::vector<std::optional<TradeLaw>> laws, dear;
-    for (std::size_t i = 0; i < report.cells.size(); ++i) {
-        const TradeCell& cell = report.cells[i];
-        const bool measured = cell.measured();
+    for (std::size_t i = 0; i < timed.size(); ++i) {
+        const TradeCell& cell = timed[i];
+        const bool measured = cell.measured() && !report.verdicts[i].sameRunAs;
         laws.push_back(measured ? std::optional(report.verdicts[i].law) : std::nullopt);
         dear.push_back(measured ? std::optional(lawOf(cell, report.truth, report.verdicts[i].biased, 2.0))
                                 : std::nullopt);
@@ -83,7 +129,7 @@ void judge(TradeReport& report) {
             verdict.off[k] = leastFactor(*laws[i], front, cost.value);
             if (atTarget && verdict.toTarget[k] && atTarget->cost > 0.0)
                 verdict.offAtTarget[k] = *verdict.toTarget[k] / atTarget->cost;
-            const TradeLaw cheap = lawOf(report.cells[i], report.truth, verdict.biased, -2.0);
+            const TradeLaw cheap = cheapLaw(timed[i], report.truth, verdict);
             const double margin = cost.value == TradeCost::seconds ? kSureTime : 1.0;
             verdict.dominated[k] = leastFactor(cheap, sure, cost.value).value_or(kNever) > margin;
             verdict.nobody = verdict.dominated[0] && verdict.dominated[1];
@@ -100,9 +146,13 @@ TradeReport tradeReport(std::vector<TradeCell> cells, const TradeTruth& truth, d
     report.cells = std::move(cells);
     report.verdicts.resize(report.cells.size());
     if (!(truth.light > 0.0)) return report;  // in the dark no error is relative to anything
-    for (std::size_t i = 0; i < report.cells.size(); ++i)
-        if (report.cells[i].measured()) report.verdicts[i] = verdictOf(report.cells[i], truth, target);
-    judge(report);
+    const std::vector<TradeCell> timed = findSameRuns(report);
+    findPace(report, timed);
+    for (std::size_t i = 0; i < timed.size(); ++i)
+        if (timed[i].measured()) fillVerdict(report.verdicts[i], timed[i], truth, target);
+    judge(report, timed);
+    for (TradeVerdict& verdict : report.verdicts)
+        if (verdict.sameRunAs) judgeLike(verdict, report.verdicts[*verdict.sameRunAs]);
     findFronts(report);
     return report;
 }

@@ -28,6 +28,12 @@ struct TradeVerdict {
     /// Off by more than the confidence intervals for every error: by that cost another one is always better.
     std::array<bool, 2> dominated{};
     bool nobody = false;  ///< dominated in both costs
+    /// The first cell that did the same, ray by ray (see isSameRun): that one is judged for both, by the
+    /// better of their times.
+    std::optional<std::size_t> sameRunAs;
+    /// By which the machine was slower than beside the cell where it was fastest: a fixed piece of work took
+    /// so much longer. 1: as fast, or not known.
+    double slower = 1.0;
 };
 
 /// Errors between which one setting is the cheapest.
@@ -49,6 +55,12 @@ struct TradeReport {
     std::vector<TradeVerdict> verdicts;               ///< of each cell
     std::array<std::vector<TradeStretch>, 2> fronts;  ///< by TradeCost, from large errors to small
     std::array<std::vector<TradeCrossing>, 2> crossings;
+
+    /// Measured, and not the same run as one before it.
+    bool standsForItself(std::size_t cell) const {
+        return cells[cell].measured() && !verdicts[cell].sameRunAs;
+    }
+    bool isOnFront(std::size_t cell, TradeCost cost) const;
 };
 
 TradeReport tradeReport(std::vector<TradeCell> cells, const TradeTruth& truth, double target);
@@ -58,6 +70,7 @@ struct CheapestCell {
     std::size_t cell = 0;
     double cost = 0.0;
 };
+/// Of equally cheap ones the one with less bias; of the same runs the first.
 std::optional<CheapestCell> cheapest(const TradeReport& report, double error, TradeCost cost,
                                      const EstimatorInfo* estimator = nullptr);
 

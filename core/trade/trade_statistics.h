@@ -53,7 +53,8 @@ TradeStatistics statisticsOf(const PassGroups& groups, const TradeReference& ref
 /// How the error falls: one point of the convergence curve.
 struct TradeLevel {
     double passes = 0.0;
-    Uncertain mse;
+    Uncertain mse{};
+    std::uint64_t rays = 0;  ///< of all groups of so many passes
 };
 
 /// Exponent p of RMSE ~ passes^p: weighted least squares of log RMSE over log passes, with its standard

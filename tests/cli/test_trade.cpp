@@ -87,6 +87,13 @@ TEST_CASE("trade: every setting is measured, and table, CSV, JSON and plots tell
     }
     // All bounces are more light than was asked for: the one bias that is large here.
     CHECK(cellOf(trade, "radiosity solver=solve")["biased"] == true);
+    CHECK(outcome.out.find("has all bounces, not 1") != std::string::npos);
+    // Paths that end at the first scattering: from which one on chance may end them changes nothing.
+    CHECK(cellOf(trade, "path roulette=16")["sameRunAs"] == "path");
+    CHECK(cellOf(trade, "path roulette=16")["bySeconds"]["toTarget"] ==
+          cellOf(trade, "path")["bySeconds"]["toTarget"]);
+    CHECK(outcome.out.find("the same run as path") != std::string::npos);
+    CHECK(cellOf(trade, "path emitters=sample")["sameRunAs"] == nullptr);
     CHECK(cellOf(trade, "path")["biased"] == false);
     CHECK(cellOf(trade, "path")["byRays"]["off"] != nullptr);
 }
@@ -114,7 +121,20 @@ TEST_CASE("trade: parts that are merged are the undivided run, on any number of 
     // Without one part it says what is missing.
     const Outcome partly = runProgram({"trade", "merge", folder / "part1", "-o", folder / "less"});
     CHECK(partly.exitCode == 0);
-    CHECK(partly.err.find("settings are not in these folders") != std::string::npos);
+    CHECK(partly.err.find("settings are in none of these folders") != std::string::npos);
+    const std::size_t all = tradeOf(whole)["cells"].size();
+    const Json less = tradeOf(folder / "less");
+    CHECK(less["missing"].size() == all - less["cells"].size());
+    CHECK(partly.out.find("Missing, " + std::to_string(less["missing"].size()) + " of ") !=
+          std::string::npos);
+    CHECK(tradeOf(whole)["missing"].empty());
+    // The reference goes along; one that is damaged is told of, and another taken.
+    CHECK(readFile(fs::path(merged) / "reference.json") == readFile(fs::path(whole) / "reference.json"));
+    std::ofstream(fs::path(folder / "part3") / "reference.json") << "{\"half\":";
+    const Outcome again = runProgram(merge);
+    CHECK(again.exitCode == 0);
+    CHECK(again.err.find("reference.json: is damaged") != std::string::npos);
+    CHECK(readFile(fs::path(merged) / "reference.json") == readFile(fs::path(whole) / "reference.json"));
 }
 
 TEST_CASE("trade: what is measured is not measured again") {
@@ -153,6 +173,37 @@ TEST_CASE("trade: Ctrl-C keeps what is measured, and the same command goes on") 
     CHECK(done < partly["question"]["settings"].size());
     REQUIRE(runProgram(arguments).exitCode == 0);
     CHECK(cellFiles(out) == partly["question"]["settings"].size());
+}
+
+TEST_CASE("trade: Ctrl-C in the long run of a reference keeps it, and going on comes to the same") {
+    const TemporaryFolder folder;
+    const auto asked = [&](const std::string& out) {
+        return std::vector<std::string>{"trade",        shippedScene("glass_disk_lamp.toml"),
+                                        "--width",      "8",
+                                        "--rays",       "400000",
+                                        "--estimators", "path",
+                                        "--sweep",      "emitters=both",
+                                        "-o",           folder / out};
+    };
+    REQUIRE(runProgram(asked("whole")).exitCode == 0);
+    const fs::path out = fs::path(folder / "stopped"), begun = out / "reference.begun.json";
+    int stops = 0;
+    // Wherever it is stopped: before the run, within it, or hardly before its end.
+    for (double busy = 0.2; !fs::exists(out / "reference.json"); busy += 0.2) {
+        RunningProgram program(asked("stopped"));
+        if (!program.waitUntilBusy(busy)) break;
+        program.signal(SIGINT);
+        const Outcome outcome = program.waitForEnd();
+        if (outcome.exitCode != 130 || !fs::exists(begun)) continue;
+        ++stops;
+        CHECK(outcome.err.find("passes of the reference are done; the same command goes on") !=
+              std::string::npos);
+    }
+    CHECK(stops > 0);
+    REQUIRE(runProgram(asked("stopped")).exitCode == 0);
+    CHECK_FALSE(fs::exists(begun));
+    CHECK(readFile(out / "reference.json") == readFile(fs::path(folder / "whole") / "reference.json"));
+    CHECK(timeless(tradeOf(out)) == timeless(tradeOf(folder / "whole")));
 }
 
 TEST_CASE("trade: depth, facets and index are swept, and a depth that is missing shows as bias") {
@@ -239,7 +290,7 @@ TEST_CASE("trade: a folder from before precisions could be swept goes on, an unk
     const fs::path file = fs::path(out) / "cells" / "0001.json";
     Json older = readJson(file);
     const auto write = [&] { std::ofstream(file) << older; };
-    older["cell"].erase("precision");
+    for (const char* key : {"precision", "secondsError", "paceSeconds"}) older["cell"].erase(key);
     older["cell"]["seconds"] = 123.0;
     write();
     REQUIRE(runProgram(arguments).exitCode == 0);

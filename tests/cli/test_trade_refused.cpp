@@ -87,4 +87,5 @@ TEST_CASE("trade refused: folders that hold something else") {
     checkRefused({"trade", "merge", folder / "nothing", "-o", folder / "all"}, "holds no cells");
     std::ofstream(folder / "room" / "cells" / "0001.json") << "{\"half\":";
     checkRefused(small, "0001.json: is damaged, or not what halfdisk trade wrote");
+    checkRefused({"trade", "merge", folder / "room", "-o", folder / "all"}, "delete it");
 }

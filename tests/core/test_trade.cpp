@@ -267,6 +267,82 @@ TEST_CASE("trade: front, crossing, factors and choices of laws that are known") 
     CHECK_FALSE(choose(report, {TradeCost::seconds, {}, 1e-6}));
 }
 
+TEST_CASE("trade: runs that are the same are one, by the better of their times") {
+    const EstimatorInfo &path = *findEstimator("path"), &cast = *findEstimator("cast-ray");
+    TradeCell early = lawful(path, 1.0, 0.0, 100, 3e-3), late = lawful(path, 1.0, 0.0, 100, 1e-3),
+              other = lawful(cast, 1.0, 0.0, 100, 2e-3);
+    for (TradeCell* cell : {&early, &late, &other})
+        cell->levels = {{1, {0.5, 0.1}, 3200}, {2, {0.25, 0.1}, 6400}};
+    late.setting.params.back() += 12.0;
+    CHECK(isSameRun(early, late));
+    CHECK_FALSE(isSameRun(early, other));
+    const TradeReport report = tradeReport({early, late, other}, {1.0, 0.0, true, 1}, 0.05);
+    CHECK_FALSE(report.verdicts[0].sameRunAs);
+    CHECK(report.verdicts[1].sameRunAs == std::size_t{0});
+    for (const std::size_t same : {0, 1}) {
+        CHECK(*report.verdicts[same].toTarget[1] == doctest::Approx(400.0 * 1e-3));
+        CHECK_FALSE(report.verdicts[same].nobody);
+    }
+    CHECK(report.isOnFront(0, TradeCost::seconds));
+    CHECK_FALSE(report.isOnFront(1, TradeCost::seconds));
+    // Other passes: as far as both went. One number, or one ray, that differs, and they are two.
+    TradeCell longer = late;
+    longer.passes *= 4;
+    longer.levels.push_back({4, {0.125, 0.1}, 12800});
+    CHECK(isSameRun(early, longer));
+    longer.levels[1].mse.value = 0.26;
+    CHECK_FALSE(isSameRun(early, longer));
+    longer.levels[1] = {2, {0.25, 0.1}, 6401};
+    CHECK_FALSE(isSameRun(early, longer));
+    late.setting.index = IndexMethod::single;
+    CHECK_FALSE(isSameRun(early, late));
+}
+
+TEST_CASE("trade: of what is as cheap the less biased one is on the front") {
+    const EstimatorInfo &photons = *findEstimator("photon-map"), &radiosity = *findEstimator("radiosity");
+    const TradeReport report =
+        tradeReport({lawful(photons, 1e-4, 0.3, 100, 1e-3), lawful(radiosity, 1e-4, 0.01, 100, 1e-3)},
+                    {1.0, 0.0, true, 1}, 0.05);
+    for (const auto& cost : kTradeCosts) {
+        CHECK_FALSE(report.isOnFront(0, cost.value));
+        CHECK(report.isOnFront(1, cost.value));
+    }
+}
+
+TEST_CASE("trade: what a slower machine, or a spread of times, leaves open is not told for sure") {
+    const EstimatorInfo &path = *findEstimator("path"), &cast = *findEstimator("cast-ray");
+    const auto isNobody = [&](double slowPace, double spread) {
+        TradeCell fast = lawful(path, 1.0, 0.0, 100, 1e-3), slow = lawful(cast, 1.1, 0.0, 110, 2e-3);
+        fast.paceSeconds = 1e-3;
+        slow.paceSeconds = slowPace;
+        slow.secondsError = spread * slow.seconds;
+        const TradeReport report = tradeReport({fast, slow}, {1.0, 0.0, true, 1}, 0.05);
+        CHECK(report.verdicts[1].dominated[0]);
+        CHECK(report.verdicts[1].slower == doctest::Approx(slowPace > 0.0 ? slowPace / 1e-3 : 1.0));
+        return report.verdicts[1].nobody;
+    };
+    CHECK(isNobody(1e-3, 0.0));
+    CHECK(isNobody(0.0, 0.0));  // an older file: not known
+    CHECK_FALSE(isNobody(2e-3, 0.0));
+    CHECK_FALSE(isNobody(1e-3, 0.25));
+    CHECK(isNobody(1e-3, 0.02));
+}
+
+TEST_CASE("trade: the spread of the groups' times is the error of the time") {
+    PassGroups groups;
+    CHECK(groups.timeError() == 0.0);
+    groups.seconds = {1.0, 1.0, 1.0, 1.0};
+    CHECK(groups.timeError() == 0.0);
+    groups.seconds = {1.0, 3.0, 1.0, 3.0};  // standard deviation 2 / sqrt(3), of a mean of 2
+    CHECK(groups.timeError() == doctest::Approx(2.0 / std::sqrt(3.0) / 2.0 / 2.0));
+    const GroupedPasses run = passesOf({}, 1000);
+    CHECK(run.groups.seconds.size() == run.groups.means.size());
+    double sum = 0.0;
+    for (const double seconds : run.groups.seconds) sum += seconds;
+    CHECK(sum > 0.0);
+    CHECK(sum <= run.seconds);
+}
+
 TEST_CASE("trade: what says that it has no bias is believed until it is proved, others never") {
     TradeCell honest = lawful(*findEstimator("path"), 1.0, 0.0, 100, 1e-3);
     TradeCell blurred = lawful(*findEstimator("photon-map"), 1.0, 0.0, 100, 1e-3);
@@ -290,4 +366,19 @@ TEST_CASE("trade: work that is called off leaves what was done") {
     CHECK(run.interrupted);
     CHECK(run.groups.passes() > 1000);
     CHECK(run.groups.passes() <= 5000);
+    // Gone on with, again and again, it comes to what an undivided run does.
+    budget.rays = 10.0 * 20'000;
+    const GroupedPasses whole = runGroups(MadeEstimator({}), kPixels, {}, budget, {});
+    GroupedPasses pieces;
+    int stops = 0;
+    do {
+        asked = 0;
+        pieces = runGroups(
+            MadeEstimator({}), kPixels, {}, budget, [&] { return ++asked > 3000; }, {}, std::move(pieces));
+        ++stops;
+    } while (pieces.interrupted && stops < 100);
+    CHECK(stops > 5);
+    CHECK(pieces.groups.each == whole.groups.each);
+    CHECK(pieces.groups.means == whole.groups.means);
+    CHECK(pieces.counts.rays == whole.counts.rays);
 }

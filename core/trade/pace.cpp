@@ -1,0 +1,35 @@
+#include "core/trade/pace.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "core/rng.h"
+
+namespace halfdisk {
+namespace {
+
+/// Its result is used, so that no compiler leaves the work out.
+double fixedWork(std::uint64_t seed) {
+    constexpr std::uint32_t kDraws = 20'000;
+    const Rng rng(seed, 0);
+    double sum = 0.0;
+    for (std::uint32_t i = 0; i < kDraws; ++i) sum += rng.uniform(i, 0);
+    return sum;
+}
+
+}  // namespace
+
+double paceSeconds() {
+    std::array<double, 5> times{};
+    volatile double used = 0.0;
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const auto start = std::chrono::steady_clock::now();
+        used = used + fixedWork(i);
+        times[i] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2];
+}
+
+}  // namespace halfdisk

@@ -99,6 +99,9 @@ void words(const Ui& ui, const TradeSoFar* trade) {
     if (toggle(ui.widgets, "Show its picture", onStage)) pick(ui, *trade, choice->cell);
     ImGui::EndDisabled();
     tooltip("this setting makes the pictures; again: what made them before");
+    ImGui::PushStyleColor(ImGuiCol_Text, ui.palette.inkSoft);
+    textWrapped(ui.widgets, truthWords(*trade));
+    ImGui::PopStyleColor();
 }
 
 std::string hoverWords(const Ui& ui, const TradeSoFar& trade, std::size_t cell) {

@@ -152,6 +152,14 @@ std::string choiceWords(const AppState& state, const TradeSoFar& trade) {
     return fmt::format("{} {}", words, runnerUpWords(trade.report, *choice, wish));
 }
 
+std::string truthWords(const TradeSoFar& trade) {
+    const TradeTruth& truth = trade.report.truth;
+    if (!(truth.light > 0.0)) return {};
+    const std::string known = percentWords(truth.relativeError);
+    return truth.exact ? say("Held against the exact light, known to {}.", known)
+                       : say("Held against {}; its own error is {}.", trMessage(trade.reference), known);
+}
+
 std::string checkWords(const AppState& state, const TradeSoFar& trade) {
     const std::optional<TradeChoice> choice = choiceOf(state, trade);
     if (!choice) return {};
@@ -201,6 +209,7 @@ std::string tradeWords(const AppState& state) {
     if (!trade->refusal.empty() || trade->report.cells.empty()) return words;
     line(choiceWords(state, *trade));
     line(checkWords(state, *trade));
+    line(truthWords(*trade));
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < trade->report.cells.size(); ++i)
         if (trade->report.cells[i].measured()) order.push_back(i);

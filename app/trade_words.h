@@ -34,6 +34,9 @@ std::string tradeProgress(const TradeSoFar& trade);
 /// What is chosen, and why; or that nothing can be.
 std::string choiceWords(const AppState& state, const TradeSoFar& trade);
 
+/// What the settings are held against, and how well that is known; empty: not known yet.
+std::string truthWords(const TradeSoFar& trade);
+
 /// Predicted beside measured.
 std::string checkWords(const AppState& state, const TradeSoFar& trade);
 

@@ -71,7 +71,7 @@ std::string lightsReason(const SceneFacts& facts) {
 
 std::string lightSamplingReason(const RequirementsAnswer& answer) {
     if (answer.plan.way.estimator == "closed-form")
-        return "direct light alone, and nothing in its way: a formula gives it";
+        return "direct light alone, nothing in its way: a formula gives it";
     if (answer.facts.traits.delta && !answer.plan.way.lightPass)
         return "lights without size can't be met by chance: they must be asked";
     const auto asks = [&](const Candidate& candidate) { return candidate.plan.way.lightSampling; };
@@ -80,9 +80,13 @@ std::string lightSamplingReason(const RequirementsAnswer& answer) {
 }
 
 std::string misReason(const RequirementsAnswer& answer) {
-    if (!answer.facts.traits.area)
-        return "no lamp and no environment: no light can be found in two ways" +
-               std::string(answer.plan.way.mis ? ", but joined paths can be joined in several" : "");
+    if (!answer.facts.traits.area) {
+        const std::string why = "no lamp and no environment: no light can be found in two ways";
+        if (!answer.plan.way.mis) return why;
+        return why + (answer.plan.way.estimator == "bidirectional"
+                          ? ", but joined paths can be joined in several"
+                          : ", so that weighing them changes nothing");
+    }
     if (answer.facts.lampInCorner && answer.plan.way.mis)
         return "a lamp touches a wall that it lights: what a point on it brings has no bound there, and rays "
                "that meet "

@@ -64,9 +64,18 @@ std::uint64_t tried(std::uint64_t seed) {
     return ~seed;
 }
 
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
+/// Sets `seconds` when it ends, also if the work is called off.
+class Timed {
+ public:
+    explicit Timed(double& seconds) : seconds_(seconds) {}
+    ~Timed() { seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    Timed(const Timed&) = delete;
+    Timed& operator=(const Timed&) = delete;
+
+ private:
+    double& seconds_;
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
 
 void refuseForced(const RequirementsQuestion& question) {
     for (const Forced& forced : question.forced) {
@@ -112,8 +121,8 @@ RequirementsAnswer requirementsOf(const RequirementsQuestion& question) {
 }
 
 void findRequirements(const RequirementsQuestion& question, RequirementsAnswer& answer) {
-    const auto start = std::chrono::steady_clock::now();
     answer = {};
+    const Timed timed(answer.seconds);
     refuseForced(question);
     if (const std::string fault = faultOf(question.sensor, question.index); !fault.empty())
         throw std::invalid_argument(fault);
@@ -134,15 +143,15 @@ void findRequirements(const RequirementsQuestion& question, RequirementsAnswer& 
     if (hasLight(answer))
         answer.bounces = findBounces(first, answer.facts, answer.specular.required, answer.rays);
     choosePlan(question, answer);
-    answer.seconds = secondsSince(start);
 }
 
 RequirementsAnswer replanned(const RequirementsQuestion& question, const RequirementsAnswer& known) {
-    const auto start = std::chrono::steady_clock::now();
     refuseForced(question);
     RequirementsAnswer answer = known;
-    choosePlan(question, answer);
-    answer.seconds = secondsSince(start);
+    {
+        const Timed timed(answer.seconds);
+        choosePlan(question, answer);
+    }
     return answer;
 }
 

@@ -1,5 +1,7 @@
 #include "core/trade/pace.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -30,6 +32,12 @@ double paceSeconds() {
     }
     std::sort(times.begin(), times.end());
     return times[times.size() / 2];
+}
+
+double threadSeconds() {
+    timespec time{};
+    if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time) != 0) return 0.0;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 }  // namespace halfdisk

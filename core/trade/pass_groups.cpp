@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/trade/pace.h"
 
 namespace halfdisk {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 struct Group {
     Picture mean;
     Counts counts;
-    double seconds = 0.0;
+    double seconds = 0.0, processor = 0.0;
     bool whole = true;
 };
 
@@ -39,6 +40,10 @@ void PassGroups::joinNeighbours() {
     for (std::size_t i = 0; i + 1 < seconds.size(); i += 2) seconds[i / 2] = seconds[i] + seconds[i + 1];
     seconds.resize(seconds.size() / 2);
     each *= 2;
+}
+
+double GroupedPasses::waiting() const {
+    return processorSeconds > 0.0 ? std::max(1.0, workerSeconds / processorSeconds) : 1.0;
 }
 
 double PassGroups::timeError() const {
@@ -74,6 +79,7 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
         const auto work = [&](std::uint64_t chunk) {
             Group group;
             const auto began = Clock::now();
+            const double used = threadSeconds();
             Picture sum(pixelCount, Rgb(0.0));
             try {
                 for (std::uint64_t k = 0; k < each; ++k) {
@@ -87,6 +93,7 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
             for (Rgb& pixel : sum) pixel /= static_cast<double>(each);
             group.mean = chosenPixels(sum, pixels);
             group.seconds = std::chrono::duration<double>(Clock::now() - began).count();
+            group.processor = threadSeconds() - used;
             return group;
         };
         bool whole = true;
@@ -99,6 +106,8 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
             run.groups.means.push_back(group.mean);
             run.groups.seconds.push_back(group.seconds);
             run.counts.merge(group.counts);
+            run.processorSeconds += group.processor;
+            run.workerSeconds += group.seconds;
             if (isSpent()) done = true;
         };
         forChunksInOrder(PassGroups::kMost - first, budget.threads, &done, work, merge);

@@ -13,8 +13,8 @@ struct PassGroups {
     static constexpr std::size_t kMost = 32;  ///< groups
     static constexpr std::size_t kLeast = 8;  ///< groups that are made even if the budget is spent
 
-    std::uint64_t each = 1;       ///< passes of a group
-    std::vector<Picture> means;   ///< of a group's passes; only the pixels that were asked for
+    std::uint64_t each = 1;         ///< passes of a group
+    std::vector<Picture> means;     ///< of a group's passes; only the pixels that were asked for
     std::vector<double> seconds{};  ///< that the passes of a group took their worker; empty: not known
     std::uint64_t passes() const { return each * means.size(); }
     void joinNeighbours();
@@ -36,8 +36,13 @@ struct PassBudget {
 struct GroupedPasses {
     PassGroups groups;
     Counts counts;
-    double seconds = 0.0;      ///< wall-clock, of all passes
+    double seconds = 0.0;  ///< wall-clock, of all passes
+    /// Of the workers, summed: wall-clock, and what they had of the processor.
+    double workerSeconds = 0.0, processorSeconds = 0.0;
     bool interrupted = false;  ///< called off: the groups that were done are here
+
+    /// By which the workers took longer because others had the processor; 1: not at all.
+    double waiting() const;
 };
 
 /// Told when all kMost groups of a size are there: every level of the convergence curve.

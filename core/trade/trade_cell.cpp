@@ -87,7 +87,7 @@ TradeCell measureCell(const Problem& problem, const TradeSetting& setting, std::
     cell.nonFinite = run.counts.nonFinite;
     cell.seconds = run.seconds;
     cell.secondsError = run.groups.timeError() * run.seconds;
-    cell.paceSeconds = 0.5 * (before + paceSeconds());
+    cell.paceSeconds = 0.5 * (before + paceSeconds()) * run.waiting();
     cell.statistics = statisticsOf(run.groups, reference);
     cell.exponent = exponentOf(cell.levels);
     return cell;

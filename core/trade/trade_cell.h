@@ -18,8 +18,7 @@ struct TradeCell {
     double preparationSeconds = 0.0;
     double seconds = 0.0;       ///< of the passes
     double secondsError = 0.0;  ///< its standard error, by how groups of passes differ
-    double paceSeconds =
-        0.0;  ///< of a fixed piece of work, before and after: see paceSeconds(); 0: not known
+    double paceSeconds = 0.0;  ///< paceSeconds() before and after, times GroupedPasses::waiting; 0: not known
     TradeStatistics statistics;
     std::vector<TradeLevel> levels;
     std::optional<Uncertain> exponent;

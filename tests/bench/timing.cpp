@@ -7,12 +7,6 @@
 namespace halfdisk {
 namespace {
 
-double secondsOf(clockid_t clock) {
-    timespec time{};
-    clock_gettime(clock, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
 /// CPU seconds of `count` items from `first` on; past the last comes the first again.
 double time(const Contender& contender, std::size_t first, std::size_t count, std::size_t items) {
     const double start = processSeconds();
@@ -33,12 +27,10 @@ std::size_t itemsPerTurn(const Contender& contender, const ContestOptions& optio
 
 }  // namespace
 
-double threadSeconds() {
-    return secondsOf(CLOCK_THREAD_CPUTIME_ID);
-}
-
 double processSeconds() {
-    return secondsOf(CLOCK_PROCESS_CPUTIME_ID);
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 double quantile(std::vector<double> values, double q) {

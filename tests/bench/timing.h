@@ -5,10 +5,9 @@
 #include <functional>
 #include <vector>
 
-namespace halfdisk {
+#include "core/trade/pace.h"
 
-/// CPU time that the calling thread has used, s.
-double threadSeconds();
+namespace halfdisk {
 
 /// CPU time that all threads of the program have used, s.
 double processSeconds();

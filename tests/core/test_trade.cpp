@@ -341,6 +341,11 @@ TEST_CASE("trade: the spread of the groups' times is the error of the time") {
     for (const double seconds : run.groups.seconds) sum += seconds;
     CHECK(sum > 0.0);
     CHECK(sum <= run.seconds);
+    CHECK(run.waiting() >= 1.0);
+    GroupedPasses waited;
+    waited.workerSeconds = 3.0;
+    waited.processorSeconds = 1.0;
+    CHECK(waited.waiting() == 3.0);
 }
 
 TEST_CASE("trade: what says that it has no bias is believed until it is proved, others never") {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +10,8 @@
 #include "app/cli_probe_passes.h"
 #include "app/light_answer.h"
 #include "core/reference.h"
+#include "core/stopwatch.h"
+#include "lessons/claim_keys.h"
 
 namespace halfdisk {
 namespace {
@@ -100,8 +101,8 @@ const Value& given(const std::optional<Value>& value, std::string_view what) {
     return *value;
 }
 
-/// What needs no run of the estimator at P; nothing if it does.
-std::optional<double> withoutRun(const ClaimPlace& place, Quantity quantity) {
+/// A quantity that is not sampled at P.
+double withoutRun(const ClaimPlace& place, Quantity quantity) {
     switch (quantity) {
         case Quantity::exact:
             return gray(exactOf(place.scene->index, place.trial));
@@ -120,13 +121,15 @@ std::optional<double> withoutRun(const ClaimPlace& place, Quantity quantity) {
         case Quantity::lost:
             return lostShare(place.scene->index, place.trial.instruments.dial);
         default:
-            return std::nullopt;
+            break;
     }
+    assert(false);
+    return std::numeric_limits<double>::quiet_NaN();
 }
 
 double quantityOf(const std::shared_ptr<const PreparedScene>& scene, Quantity quantity, const Trial& trial,
                   unsigned threads) {
-    if (const auto value = withoutRun({scene, trial}, quantity)) return *value;
+    if (!isSampledAtPoint(quantity)) return withoutRun({scene, trial}, quantity);
     const SegmentIndex& index = scene->index;
     const Outcome out = outcomeOf(index, trial, threads);
     const auto error = [&] {
@@ -182,7 +185,7 @@ bool holds(const Claim& claim, double value) {
 
 ClaimResult checkClaim(const std::string& file, const std::shared_ptr<const PreparedScene>& scene,
                        const Claim& claim, unsigned threads) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     ClaimResult result;
     try {
         result.of = quantityOf(scene, claim.quantity, claim.of, threads);
@@ -193,7 +196,7 @@ ClaimResult checkClaim(const std::string& file, const std::shared_ptr<const Prep
     }
     result.value = result.over ? result.of / *result.over : result.of;
     result.holds = holds(claim, result.value);
-    result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    result.seconds = watch.seconds();
     return result;
 }
 

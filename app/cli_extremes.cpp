@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 
 #include "app/cli_actions.h"
@@ -11,6 +10,7 @@
 #include "app/extremes_report.h"
 #include "app/interruption.h"
 #include "app/progress_bar.h"
+#include "core/stopwatch.h"
 #include "lessons/input_error.h"
 #include "lessons/scene_file.h"
 
@@ -42,19 +42,17 @@ std::vector<ExtremeCell> chosenCells(std::vector<ExtremeCell> cells, const std::
 }
 
 std::vector<ExtremeLine> measureCells(const std::vector<ExtremeCell>& cells, bool& stopped) {
-    using Clock = std::chrono::steady_clock;
     ProgressBar bar;
     const Interruption interruption([&bar] { bar.say("stopping; Ctrl-C again ends at once"); });
-    const auto seconds = [](Clock::duration time) { return std::chrono::duration<double>(time).count(); };
-    const auto begin = Clock::now();
+    const Stopwatch all;
     std::vector<ExtremeLine> lines;
     for (const ExtremeCell& cell : cells) {
-        bar.tell(static_cast<double>(lines.size()) / static_cast<double>(cells.size()),
-                 seconds(Clock::now() - begin), cell.id);
-        const auto start = Clock::now();
+        bar.tell(static_cast<double>(lines.size()) / static_cast<double>(cells.size()), all.seconds(),
+                 cell.id);
+        const Stopwatch watch;
         try {
             const ExtremeOutcome outcome = cell.run([&] { return interruption.asked(); });
-            lines.push_back({&cell, outcome, holds(cell, outcome), seconds(Clock::now() - start)});
+            lines.push_back({&cell, outcome, holds(cell, outcome), watch.seconds()});
         } catch (const Stopped&) {
             stopped = true;
             break;

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "app/cli_arguments.h"
 #include "core/nearest_wall.h"
 #include "core/parallel.h"
+#include "core/stopwatch.h"
 #include "lessons/wall_point.h"
 
 namespace halfdisk {
@@ -113,10 +113,10 @@ ProbeAnswer probe(const SegmentIndex& index, const ProbeQuestion& question, cons
     ProbeAnswer answer;
     answer.question = question;
     answer.place = place;
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     answer.estimate = estimateIrradiance(index, place.shaded, question.settings,
                                          {.repeats = question.repeats, .threads = question.threads});
-    answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    answer.seconds = watch.seconds();
 
     const Estimate& estimate = answer.estimate;
     answer.irradiance.mean = estimate.irradiance();

@@ -1,7 +1,6 @@
 // halfdisk trade: what does accuracy cost in this scene? The options, their help, and the order of the work.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
 
 #include "app/cli_actions.h"
@@ -15,6 +14,7 @@
 #include "app/trade_reference_store.h"
 #include "app/trade_request.h"
 #include "app/trade_text.h"
+#include "core/stopwatch.h"
 #include "lessons/atomic_file.h"
 
 namespace halfdisk {
@@ -57,7 +57,7 @@ class TradeJob {
         ProgressBar bar;
         const Interruption interruption([&bar] { bar.say("stopping; Ctrl-C again ends at once"); });
         const StopQuestion stop = [&interruption] { return interruption.asked(); };
-        start_ = std::chrono::steady_clock::now();
+        watch_ = Stopwatch();
         bool stopped = false;
         try {
             bar.tell(0.0, 0.0, "reference");
@@ -113,9 +113,8 @@ class TradeJob {
         for (std::size_t k = 0; k < missing.size(); ++k) {
             const std::size_t i = missing[k];
             const TradeSetting& setting = request_.settings[i];
-            const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start_;
             bar.tell(
-                static_cast<double>(k) / static_cast<double>(missing.size()), elapsed.count(),
+                static_cast<double>(k) / static_cast<double>(missing.size()), watch_.seconds(),
                 fmt::format("{} of {} settings: {}", k, missing.size(), nameOf(setting, request_.maxDepth)));
             throwIfStopped(stop);
             trade_.cells[i] = measureCell(request_.problemOf(setting, stop), setting, request_.maxDepth,
@@ -162,7 +161,7 @@ class TradeJob {
     TradeFolder trade_;
     TradeReference reference_;
     BegunRun begun_;  ///< of the reference
-    std::chrono::steady_clock::time_point start_{};
+    Stopwatch watch_;
 };
 
 int runMerge(const std::vector<std::string>& folders, const std::string& output,

@@ -4,10 +4,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "app/interruption.h"
 #include "app/progress_bar.h"
+#include "core/stopwatch.h"
 #include "lessons/input_error.h"
 
 namespace halfdisk {
@@ -68,10 +67,7 @@ Measurement measure(const EstimatorInfo& info, const Problem& problem, const Par
                     std::vector<Rgb>* firstPixels) {
     ProgressBar bar;
     const Interruption interruption([&bar] { bar.say("stopping; Ctrl-C again ends at once"); });
-    const auto start = std::chrono::steady_clock::now();
-    const auto elapsed = [start] {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    };
+    const Stopwatch watch;
     const auto isInterrupted = [&] { return interruption.asked() || (stop && stop()); };
 
     Problem stoppable = problem;
@@ -82,15 +78,18 @@ Measurement measure(const EstimatorInfo& info, const Problem& problem, const Par
         RenderOptions options;
         options.passes = limits.passes;
         options.threads = limits.threads;
-        options.stop = [&] { return isInterrupted() || (limits.seconds && elapsed() >= *limits.seconds); };
+        options.stop = [&] {
+            return isInterrupted() || (limits.seconds && watch.seconds() >= *limits.seconds);
+        };
         if (bar.isShown())
             options.progress = [&](const Film& film) {
-                bar.tell(shareDone(film.passes, elapsed(), limits), elapsed(), counted(film.passes));
+                bar.tell(shareDone(film.passes, watch.seconds(), limits), watch.seconds(),
+                         counted(film.passes));
             };
         measurement.film = renderListed(*estimator, problem.sensor, options, firstPixels);
     }
     measurement.interrupted = isInterrupted() && measurement.film.passes < limits.passes;
-    measurement.seconds = elapsed();
+    measurement.seconds = watch.seconds();
     return measurement;
 }
 

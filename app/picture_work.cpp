@@ -2,7 +2,6 @@
 #include "app/picture_work.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "app/tone.h"
 #include "core/estimators.h"
 #include "core/render.h"
+#include "core/stopwatch.h"
 
 namespace halfdisk {
 namespace {
@@ -49,10 +49,6 @@ std::uint64_t batchWithin(double seconds, const LightPicture& picture, double pa
     const double fitting = seconds / (picture.passSeconds / static_cast<double>(picture.film.passes));
     const std::uint64_t usual = nextBatch(picture.film, pathsPerPass, Budget::time, 1.0);
     return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(std::clamp(fitting, 1.0, 1e9)), 1, usual);
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// In false colours, one for each place.
@@ -115,7 +111,7 @@ PictureWork::PictureWork(const LightQuestion& asked, Sensor sensor, Maker maker,
       maxDepth_(maker_.depth.value_or(asked.settings.maxDepth)),
       maxSpecular_(maker_.specular.value_or(asked.settings.maxSpecular)),
       seed_(asked.settings.seed) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const EstimatorInfo& info = *findEstimator(maker_.estimator);
     const Problem problem{.index = scene_->index,
                           .sensor = sensor_,
@@ -132,7 +128,7 @@ PictureWork::PictureWork(const LightQuestion& asked, Sensor sensor, Maker maker,
         picture->refusal = refused.what();
     }
     picture->complete = !estimator_;
-    picture->seconds = secondsSince(start);
+    picture->seconds = watch.seconds();
     picture_ = std::move(picture);
 }
 
@@ -153,9 +149,9 @@ bool PictureWork::addBatch() {
     const double pathsPerPass = pixelCount(sensor_) + estimator_->workPerPass();
     options.passes = byTime ? batchWithin(effort_ * kMostSeconds - next->seconds, *next, pathsPerPass)
                             : nextBatch(next->film, pathsPerPass, budget_, effort_);
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Film batch = render(*estimator_, sensor_, options);
-    const double took = secondsSince(start);
+    const double took = watch.seconds();
     if (batch.passes < options.passes) return false;
     next->film.merge(batch);
     next->seconds += took;

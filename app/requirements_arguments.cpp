@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "app/cli_arguments.h"
 #include "app/interruption.h"
 #include "app/progress_bar.h"
+#include "core/stopwatch.h"
+#include "lessons/instruments_reader.h"
 
 namespace halfdisk {
 namespace {
@@ -16,14 +17,10 @@ constexpr std::string_view kOption = "--force";
 constexpr std::string_view kStopping = "stopping; Ctrl-C again ends at once";
 
 const RequirementInfo& infoOfName(std::string_view text, std::string_view name) {
-    std::vector<std::string_view> names;
-    for (const RequirementInfo& info : kRequirements) {
-        if (info.name == name && info.kind == Switch::none)
-            failArgument(kOption, text, fmt::format("can't be switched: {}", info.fixed));
-        if (info.name == name) return info;
-        if (info.kind != Switch::none) names.push_back(info.name);
-    }
-    failArgument(kOption, text, fmt::format("names no requirement, {}", expectedOneOf(name, names)));
+    std::string fault;
+    const RequirementInfo* info = findSwitch(name, fault);
+    if (!info) failArgument(kOption, text, fault);
+    return *info;
 }
 
 std::uint32_t valueOf(const RequirementInfo& info, std::string_view text, std::string_view value) {
@@ -38,10 +35,6 @@ std::uint32_t valueOf(const RequirementInfo& info, std::string_view text, std::s
                      fmt::format("has a wrong value, expected off or a whole number from 0 to {}",
                                  kMaxDepthInfo.most));
     return static_cast<std::uint32_t>(*count);
-}
-
-double secondsSince(std::chrono::steady_clock::time_point start) {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 }  // namespace
@@ -125,9 +118,9 @@ PlanRequest planRequest(const PlanTexts& texts, std::string_view estimator,
 bool askRequirements(RequirementsQuestion question, RequirementsAnswer& answer) {
     ProgressBar bar;
     const Interruption interruption([&bar] { bar.say(kStopping); });
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     question.stop = [&interruption] { return interruption.asked(); };
-    question.told = [&](double share, std::string_view what) { bar.tell(share, secondsSince(start), what); };
+    question.told = [&](double share, std::string_view what) { bar.tell(share, watch.seconds(), what); };
     try {
         findRequirements(question, answer);
         return true;
@@ -141,13 +134,13 @@ bool askRequirements(RequirementsQuestion question, RequirementsAnswer& answer) 
 Costs costsAsked(RequirementsQuestion question, const RequirementsAnswer& answer, const CostLimits& limits) {
     ProgressBar bar;
     const Interruption interruption([&bar] { bar.say(kStopping); });
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     question.stop = [&interruption] { return interruption.asked(); };
     Costs costs;
     bar.tell(0.0, 0.0, "costs");
     try {
         while (measureNextCost(question, answer, limits, costs))
-            bar.tell(static_cast<double>(costs.done) / static_cast<double>(costs.pieces), secondsSince(start),
+            bar.tell(static_cast<double>(costs.done) / static_cast<double>(costs.pieces), watch.seconds(),
                      fmt::format("{} of {} costs", costs.done, costs.pieces));
     } catch (const Stopped&) {
         // What is measured stays.

@@ -2,7 +2,6 @@
 // that nobody is told of.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <string_view>
 

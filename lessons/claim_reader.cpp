@@ -48,10 +48,8 @@ void readTrial(const std::string& file, std::string_view key, const TomlValue& v
     TableReader table(file, readTable(file, key, value), value.where, fmt::format("\"{}\" of a claim", key));
     checkKeys(table, quantity);
     readSettings(table, scene, kTrialLimits, trial.settings, trial.at);
-    if (const TomlValue* specular = table.optional(kMaxSpecularInfo.name))
-        trial.settings.maxSpecular = static_cast<std::uint32_t>(readWhole(
-            file, kMaxSpecularInfo.name, *specular, {kMaxSpecularInfo.least, kMaxSpecularInfo.most}));
     readTrialMaker(table, quantity, trial.maker);
+    trial.settings.maxSpecular = trial.maker.specular.value_or(trial.settings.maxSpecular);
     if (const TomlValue* repeats = table.optional("repeats"))
         trial.repeats = readWhole(file, "repeats", *repeats, kRepeatsRule);
     if (const TomlValue* pixel = table.optional("pixel"))

@@ -24,25 +24,28 @@ std::uint32_t readForcedValue(const std::string& file, const RequirementInfo& in
     failAt(file, value.where, fmt::format("\"{}\" is no switch, expected true or false", info.name));
 }
 
-const RequirementInfo& readRequirement(const std::string& file, const TomlEntry& entry) {
+}  // namespace
+
+const RequirementInfo* findSwitch(std::string_view name, std::string& fault) {
     std::vector<std::string_view> names;
     for (const RequirementInfo& info : kRequirements) {
-        if (info.name == entry.key && info.kind == Switch::none)
-            failAt(file, entry.value.where, fmt::format("\"{}\" can't be forced: {}", info.name, info.fixed));
-        if (info.name == entry.key) return info;
         if (info.kind != Switch::none) names.push_back(info.name);
+        if (info.name != name) continue;
+        if (info.kind != Switch::none) return &info;
+        fault = fmt::format("can't be switched: {}", info.fixed);
+        return nullptr;
     }
-    failAt(file, entry.value.where,
-           fmt::format("\"{}\" names no requirement, {}", entry.key, expectedOneOf(entry.key, names)));
+    fault = fmt::format("names no requirement, {}", expectedOneOf(name, names));
+    return nullptr;
 }
-
-}  // namespace
 
 void readForced(const std::string& file, const TomlValue& value, std::vector<Forced>& forced) {
     forced.clear();
     for (const TomlEntry& entry : readTable(file, "force", value).entries) {
-        const RequirementInfo& info = readRequirement(file, entry);
-        forced.push_back({info.id, readForcedValue(file, info, entry.value)});
+        std::string fault;
+        const RequirementInfo* info = findSwitch(entry.key, fault);
+        if (!info) failAt(file, entry.value.where, fmt::format("\"{}\" {}", entry.key, fault));
+        forced.push_back({info->id, readForcedValue(file, *info, entry.value)});
     }
 }
 

@@ -6,6 +6,10 @@
 
 namespace halfdisk {
 
+/// The requirement of that name; null if there is none, or none that can be switched: then `fault` tells, to
+/// stand behind the name.
+const RequirementInfo* findSwitch(std::string_view name, std::string& fault);
+
 /// Replaces what the inline table `dial` has.
 void readDial(const std::string& file, const TomlValue& value, DialSetting& dial);
 

@@ -1,10 +1,10 @@
 #include "core/requirements/costs.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 #include "core/requirements/words.h"
+#include "core/stopwatch.h"
 
 namespace halfdisk {
 namespace {
@@ -173,7 +173,7 @@ PlanCost compareCost(const RequirementsQuestion& question, const Plan& plan, con
 
 bool measureNextCost(const RequirementsQuestion& question, const RequirementsAnswer& answer,
                      const CostLimits& limits, Costs& costs) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     const Sensor small = pilotSensor(question.sensor);
     const std::vector<RequirementCost> rows = rowsOf(question, answer);
     if (costs.complete()) return false;
@@ -188,7 +188,7 @@ bool measureNextCost(const RequirementsQuestion& question, const RequirementsAns
         measureEverything(question, answer, limits, small, costs);
     }
     ++costs.done;
-    costs.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    costs.seconds += watch.seconds();
     return true;
 }
 

@@ -1,17 +1,12 @@
 #include "core/requirements/pilot.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
+
+#include "core/stopwatch.h"
 
 namespace halfdisk {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 double sumOf(const Rgb& c) {
     return c.x + c.y + c.z;
@@ -39,17 +34,17 @@ Sensor pilotSensor(const Sensor& sensor) {
 
 Pilot pilot(const Problem& problem, const Plan& plan, const PilotLimits& limits) {
     Problem asked{problem.index, problem.sensor, plan.maxDepth, plan.maxSpecular, problem.seed, problem.stop};
-    const Clock::time_point begin = Clock::now();
+    const Stopwatch preparing;
     if (const std::string refusal = refusalOf(*plan.estimator, asked, plan.params); !refusal.empty())
         throw std::invalid_argument(refusal);
     const auto estimator = plan.estimator->make(asked, plan.params);
     Pilot result;
-    result.preparation = secondsSince(begin);
+    result.preparation = preparing.seconds();
     result.pixels = pixelCount(problem.sensor);
     Film film;
     film.pixels.reset(result.pixels);
     Picture picture(result.pixels);
-    const Clock::time_point start = Clock::now();
+    const Stopwatch working;
     while (film.passes < limits.leastPasses ||
            (film.counts.rays < limits.rays && film.passes < limits.mostPasses)) {
         std::fill(picture.begin(), picture.end(), Rgb(0.0));
@@ -59,7 +54,7 @@ Pilot pilot(const Problem& problem, const Plan& plan, const PilotLimits& limits)
         for (const Rgb& value : picture) total += sumOf(value);
         result.totals.push_back(total / (3.0 * static_cast<double>(result.pixels)));
     }
-    result.seconds = secondsSince(start);
+    result.seconds = working.seconds();
     result.passes = film.passes;
     result.rays = film.counts.rays;
     result.cut = film.counts.cut;

@@ -1,7 +1,6 @@
 #include "core/requirements/requirements.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
 #include "core/requirements/bounce_findings.h"
@@ -9,6 +8,7 @@
 #include "core/requirements/specular_findings.h"
 #include "core/requirements/way_search.h"
 #include "core/requirements/words.h"
+#include "core/stopwatch.h"
 
 namespace halfdisk {
 namespace {
@@ -68,13 +68,13 @@ std::uint64_t tried(std::uint64_t seed) {
 class Timed {
  public:
     explicit Timed(double& seconds) : seconds_(seconds) {}
-    ~Timed() { seconds_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+    ~Timed() { seconds_ = watch_.seconds(); }
     Timed(const Timed&) = delete;
     Timed& operator=(const Timed&) = delete;
 
  private:
     double& seconds_;
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    Stopwatch watch_;
 };
 
 void refuseForced(const RequirementsQuestion& question) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #include "core/rng.h"
+#include "core/stopwatch.h"
 
 namespace halfdisk {
 namespace {
@@ -26,9 +26,9 @@ double paceSeconds() {
     std::array<double, 5> times{};
     volatile double used = 0.0;
     for (std::size_t i = 0; i < times.size(); ++i) {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         used = used + fixedWork(i);
-        times[i] = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        times[i] = watch.seconds();
     }
     std::sort(times.begin(), times.end());
     return times[times.size() / 2];

@@ -3,10 +3,10 @@
 #include "core/trade/pass_groups.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "core/parallel.h"
+#include "core/stopwatch.h"
 #include "core/trade/pace.h"
 
 namespace halfdisk {
@@ -58,13 +58,9 @@ double PassGroups::timeError() const {
 GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
                         const std::vector<std::uint32_t>& pixels, const PassBudget& budget,
                         const StopQuestion& stop, const LevelTold& level, GroupedPasses begun) {
-    using Clock = std::chrono::steady_clock;
     GroupedPasses run = std::move(begun);
     run.interrupted = false;
-    const auto start = Clock::now();
-    const auto elapsed = [start, before = run.seconds] {
-        return before + std::chrono::duration<double>(Clock::now() - start).count();
-    };
+    const auto elapsed = [watch = Stopwatch(), before = run.seconds] { return before + watch.seconds(); };
     const auto isSpent = [&] {
         if (run.groups.means.size() < PassGroups::kLeast) return false;
         // In the dark some cast none: a pass counts as a ray at least.
@@ -78,7 +74,7 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
         const std::uint64_t each = run.groups.each, first = run.groups.means.size();
         const auto work = [&](std::uint64_t chunk) {
             Group group;
-            const auto began = Clock::now();
+            const Stopwatch watch;
             const double used = threadSeconds();
             Picture sum(pixelCount, Rgb(0.0));
             try {
@@ -92,7 +88,7 @@ GroupedPasses runGroups(const Estimator& estimator, std::uint32_t pixelCount,
             }
             for (Rgb& pixel : sum) pixel /= static_cast<double>(each);
             group.mean = chosenPixels(sum, pixels);
-            group.seconds = std::chrono::duration<double>(Clock::now() - began).count();
+            group.seconds = watch.seconds();
             group.processor = threadSeconds() - used;
             return group;
         };

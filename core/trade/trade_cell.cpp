@@ -3,9 +3,9 @@
 #include "core/trade/trade_cell.h"
 
 #include <algorithm>
-#include <chrono>
 #include <stdexcept>
 
+#include "core/stopwatch.h"
 #include "core/trade/pace.h"
 
 namespace halfdisk {
@@ -32,9 +32,9 @@ std::unique_ptr<Estimator> prepared(const Problem& problem, const TradeSetting& 
     std::unique_ptr<Estimator> estimator;
     std::vector<double> times;
     do {
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         estimator = makeOrTell(problem, setting, cell.refusal);
-        times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        times.push_back(watch.seconds());
     } while (estimator && times.size() < kTimes && times[0] < kMoment);
     std::sort(times.begin(), times.end());
     cell.preparationSeconds = times[times.size() / 2];

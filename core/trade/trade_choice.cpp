@@ -1,11 +1,11 @@
 #include "core/trade/trade_choice.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 
 #include "core/render.h"
+#include "core/stopwatch.h"
 
 namespace halfdisk {
 
@@ -62,17 +62,17 @@ TradeOutcome checkChoice(const Problem& problem, const TradeReport& report, cons
     for (std::uint64_t run = 0; run < runs; ++run) {
         Problem again = problem;
         again.seed = problem.seed + 1 + run;
-        const auto start = std::chrono::steady_clock::now();
+        const Stopwatch watch;
         const auto estimator = setting.estimator->make(again, setting.params);
         RenderOptions options;
         options.passes = choice.passes;
         options.threads = threads;
         const Film film = render(*estimator, problem.sensor, options);
         if (film.passes < choice.passes) throw Stopped();
-        const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+        const double spent = watch.seconds();
         groups.means.push_back(chosenPixels(film.pixels.mean, reference.pixels));
         outcome.rays += static_cast<double>(film.counts.rays) / static_cast<double>(runs);
-        outcome.seconds += spent.count() / static_cast<double>(runs);
+        outcome.seconds += spent / static_cast<double>(runs);
     }
     const Uncertain mse = statisticsOf(groups, reference).mse;
     const double light = reference.light(), root = std::sqrt(std::max(0.0, mse.value));

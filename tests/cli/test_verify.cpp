@@ -107,7 +107,7 @@ TEST_CASE("verify: what can't be measured is refused with its place") {
     refused("measure = 'planBounces'\nover = { force = { bounces = 0 } }\natLeast = 1e30\n", "which is 0");
     refused("measure = 'planRays'\nwith = { force = { mirrors = true } }\nequals = 1\n",
             "names no requirement");
-    refused("measure = 'planRays'\nwith = { force = { colour = false } }\nequals = 1\n", "can't be forced");
+    refused("measure = 'planRays'\nwith = { force = { colour = false } }\nequals = 1\n", "can't be switched");
     refused("measure = 'planRays'\nwith = { force = { mis = 3 } }\nequals = 1\n", "true or false");
     refused("measure = 'planBounces'\nwith = { force = { bounces = true } }\nequals = 1\n", "\"bounces\"");
     CHECK(runProgram({"verify", "no-such-lesson"}).exitCode == 2);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/quadrature.h"
 #include "lessons/scene_file.h"
 
 namespace halfdisk::test {
@@ -110,6 +111,19 @@ Agreement compareExact(const Film& film, const std::vector<Rgb>& exact, double e
     truth.add(exact);
     for (Rgb& squares : truth.pixels.squares) squares = Rgb(err * err * 2.0);
     return compare(film, truth, comparisons);
+}
+
+std::vector<Rgb> exactBins(const Stage& stage, const Reference& reference, std::uint32_t wall,
+                           std::size_t bins, std::size_t panels, std::uint32_t depth) {
+    std::vector<Rgb> means(bins, Rgb(0.0));
+    const double pieces = static_cast<double>(bins * panels);
+    for (std::size_t panel = 0; panel < bins * panels; ++panel)
+        for (const GaussPoint& point : kGauss8) {
+            const double t = (static_cast<double>(panel) + (point.x + 1.0) / 2.0) / pieces;
+            means[panel / panels] += reference.irradiance(shadedPointOn(*stage.index, wall, t), depth) *
+                                     (point.weight / 2.0 / static_cast<double>(panels));
+        }
+    return means;
 }
 
 }  // namespace halfdisk::test

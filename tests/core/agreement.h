@@ -7,6 +7,7 @@
 
 #include "core/estimate.h"
 #include "core/estimators.h"
+#include "core/reference.h"
 #include "core/render.h"
 #include "support.h"
 
@@ -57,5 +58,10 @@ Agreement compare(const Film& a, const Film& b, std::size_t comparisons);
 
 /// The same against exact values with absolute error bounds.
 Agreement compareExact(const Film& film, const std::vector<Rgb>& exact, double err, std::size_t comparisons);
+
+/// Irradiance on a wall as means over `bins` equal parts of it, by eight Gauss points on each of `panels`
+/// pieces of a bin: edges of shadows and covers that lie between pieces cost nothing.
+std::vector<Rgb> exactBins(const Stage& stage, const Reference& reference, std::uint32_t wall,
+                           std::size_t bins, std::size_t panels, std::uint32_t depth);
 
 }  // namespace halfdisk::test

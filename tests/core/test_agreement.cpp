@@ -8,8 +8,6 @@
 #include <map>
 
 #include "agreement.h"
-#include "core/quadrature.h"
-#include "core/reference.h"
 
 using namespace halfdisk;
 using namespace halfdisk::test;
@@ -170,16 +168,8 @@ TEST_CASE("agreement: exact irradiance on the floor of every diffuse room, as bi
         const Reference reference(*stage.index, depth);
         REQUIRE(reference.ready());
         const Sensor sensor = Profile{{floor}, 6};
-        // Gauss points of 40 panels a bin: shadow edges, where E has a kink, are met to a thousandth.
-        std::vector<Rgb> exact(6, Rgb(0.0));
-        constexpr int kPanels = 40;
-        for (int panel = 0; panel < 6 * kPanels; ++panel)
-            for (const GaussPoint& point : kGauss8) {
-                const double t = (panel + (point.x + 1.0) / 2.0) / (6.0 * kPanels);
-                exact[static_cast<std::size_t>(panel / kPanels)] +=
-                    reference.irradiance(shadedPointOn(*stage.index, floor, t), depth) *
-                    (point.weight / 2.0 / kPanels);
-            }
+        // With 40 pieces a bin, edges of shadows, where E has a kink, are met to a thousandth.
+        const std::vector<Rgb> exact = exactBins(stage, reference, floor, 6, 40, depth);
         bool told = false;
         for (const Measured& measured : measureAll(stage, sensor, 100'000)) {
             double scale = 0.0;

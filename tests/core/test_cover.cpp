@@ -3,8 +3,6 @@
 
 #include "agreement.h"
 #include "core/exact.h"
-#include "core/quadrature.h"
-#include "core/reference.h"
 #include "rooms.h"
 
 using namespace halfdisk;
@@ -108,17 +106,8 @@ TEST_CASE(
                 {{.id = "radiosity", .params = {{"patches", 150}}, .samples = 5'000, .threads = 2}, 5e-3}};
     for (const CoveredPart& part : kParts) {
         const std::uint32_t wall = stage.wall(part.wall);
-        // Gauss points of 5 panels a bin: edges of covers lie between panels.
-        std::vector<Rgb> exact(8, Rgb(0.0));
+        const std::vector<Rgb> exact = exactBins(stage, reference, wall, 8, 5, depth);
         double most = 0.0;
-        constexpr int kPanels = 5;
-        for (int panel = 0; panel < 8 * kPanels; ++panel)
-            for (const GaussPoint& point : kGauss8) {
-                const double u = (panel + (point.x + 1.0) / 2.0) / (8.0 * kPanels);
-                exact[static_cast<std::size_t>(panel / kPanels)] +=
-                    reference.irradiance(shadedPointOn(*stage.index, wall, u), depth) *
-                    (point.weight / 2.0 / kPanels);
-            }
         for (std::size_t bin = 0; bin < 8; ++bin) {
             most = std::max(most, exact[bin].x);
             const double from = static_cast<double>(bin) / 8.0;

@@ -172,7 +172,8 @@ int runMerge(const std::vector<std::string>& folders, const std::string& output,
     makeTradeFolder(output);
     readCells(output, trade.question);  // a folder of another question is refused
     for (const auto& numbered : trade.cells) writeCell(output, trade, numbered.first);
-    for (const std::string& problem : copyReference(parts, output, trade.question)) writeError(problem, true);
+    for (const std::string& problem : copyReference(parts, output, trade.question))
+        writeError(problem + " (merged without it)", true);
     const TradeReport report = reportOf(trade);
     const std::vector<std::string> names = writeReport(output, trade, report);
     if (asJson) {

@@ -8,6 +8,7 @@
 #include "app/estimator_arguments.h"
 #include "app/render_result.h"
 #include "app/requirements_arguments.h"
+#include "core/requirements/words.h"
 
 namespace halfdisk {
 namespace {
@@ -162,7 +163,8 @@ std::string requirementsText(const RequirementsAnswer& answer, const SegmentInde
             wrapped(requirement.reason + (requirement.ground == Ground::force ? " [forced]" : ""), kColumn);
     }
     text += "\nplan: " + wrapped(planLine(answer.plan, index), 6);
-    if (!answer.loses.empty()) text += "NOTE: " + wrapped(fmt::format("this plan {}", answer.loses), 6);
+    if (const std::string lost = lostWords(answer); !lost.empty())
+        text += "NOTE: " + wrapped("light is missing: " + lost, 6);
     text += fmt::format("found with {} rays in {:.2g} s\n", answer.rays, answer.seconds);
     return text;
 }
@@ -180,8 +182,8 @@ std::string lostWords(const RequirementsAnswer& answer) {
     if (!answer.loses.empty()) lost = fmt::format("the plan {}", answer.loses);
     const auto& missing = answer.bounces.missing;
     if (missing && missing->depth == answer.plan.maxDepth && missing->share > answer.tolerance)
-        lost += fmt::format("{}more than {} scatterings, which are not followed, bring {:.2g} % of it",
-                            lost.empty() ? "" : "; ", missing->depth, 100.0 * missing->share);
+        lost += fmt::format("{}more than {} scatterings, which are not followed, bring {} of it",
+                            lost.empty() ? "" : "; ", missing->depth, words::percent(missing->share));
     return lost;
 }
 
@@ -265,7 +267,7 @@ Json requirementsJson(const RequirementsAnswer& answer, const SegmentIndex& inde
     object["bounces"] = bouncesJson(answer.bounces);
     object["complete"] = isPlanned(answer);
     object["plan"] = isPlanned(answer) ? planJson(answer.plan, index) : Json();
-    object["loses"] = answer.loses.empty() ? Json() : Json(answer.loses);
+    tellLost(answer, object);
     object["tried"] = candidatesJson(answer, index);
     object["rays"] = answer.rays;
     object["seconds"] = jsonOf(answer.seconds);

@@ -15,6 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::string cellName(std::size_t number) {
+    return fmt::format("{:04}.json", number);
+}
+
 TradeCell cellFrom(const fs::path& file, const Json& json) {
     const auto refuse = [&](const std::string& why) { throw InputError(file.string(), why); };
     TradeCell cell;
@@ -25,8 +29,13 @@ TradeCell cellFrom(const fs::path& file, const Json& json) {
     setting.params = json.at("params").get<std::vector<double>>();
     if (setting.params.size() != setting.estimator->params.size())
         refuse("the parameters are not those of the estimator");
+    for (std::size_t i = 0; i < setting.params.size(); ++i) {
+        const ParamInfo& info = setting.estimator->params[i];
+        const double most = info.choices.empty() ? info.most : static_cast<double>(info.choices.size()) - 1.0;
+        if (!(setting.params[i] >= info.least && setting.params[i] <= most)) throw DamagedTradeFile();
+    }
     setting.maxDepth = json.at("depth").get<std::uint32_t>();
-    setting.facets = json.at("facets").get<double>();
+    setting.facets = amountFrom(json.at("facets"));
     const auto index = json.at("index").get<unsigned>();
     if (index >= kIndexMethods.size()) refuse(fmt::format("the index {} is unknown", index));
     setting.index = static_cast<IndexMethod>(index);  // with it the precision
@@ -34,24 +43,29 @@ TradeCell cellFrom(const fs::path& file, const Json& json) {
     cell.complete = json.at("complete").get<bool>();
     cell.refusal = json.at("refusal").get<std::string>();
     if (!cell.measured()) return cell;
-    cell.passes = json.at("passes").get<std::uint64_t>();
-    cell.groups = json.at("groups").get<std::uint64_t>();
-    cell.rays = json.at("rays").get<std::uint64_t>();
-    cell.cut = json.at("cut").get<std::uint64_t>();
-    cell.nonFinite = json.at("nonFinite").get<std::uint64_t>();
-    cell.preparationSeconds = json.at("preparationSeconds").get<double>();
-    cell.seconds = json.at("seconds").get<double>();
-    cell.secondsError = json.value("secondsError", 0.0);  // older folders do not know
-    cell.paceSeconds = json.value("paceSeconds", 0.0);
+    cell.passes = countFrom(json.at("passes"));
+    cell.groups = countFrom(json.at("groups"));
+    cell.rays = countFrom(json.at("rays"));
+    cell.cut = countFrom(json.at("cut"));
+    cell.nonFinite = countFrom(json.at("nonFinite"));
+    cell.preparationSeconds = amountFrom(json.at("preparationSeconds"));
+    cell.seconds = amountFrom(json.at("seconds"));
+    // Older folders do not know these.
+    cell.secondsError = amountFrom(json.value("secondsError", Json(0.0)));
+    cell.paceSeconds = amountFrom(json.value("paceSeconds", Json(0.0)));
+    cell.unseen = amountFrom(json.value("unseen", Json(0.0)));
     cell.statistics.variance = uncertainFrom(json.at("variance"));
     cell.statistics.bias2 = uncertainFrom(json.at("bias2"));
-    cell.statistics.noise = numberFrom(json.at("noise"));
+    cell.statistics.noise = numberOrNan(json.at("noise"));
     cell.statistics.mse = uncertainFrom(json.at("groupMse"));
     cell.statistics.mean = numberFrom(json.at("mean"));
+    if (cell.passes == 0 || cell.groups == 0 || !(cell.statistics.variance.value >= 0.0) ||
+        std::isnan(cell.statistics.bias2.value))
+        throw DamagedTradeFile();
     for (const Json& level : json.at("levels"))
-        cell.levels.push_back({level.at(0).get<double>(),
-                               {numberFrom(level.at(1)), numberFrom(level.at(2))},
-                               level.size() > 3 ? level.at(3).get<std::uint64_t>() : 0});
+        cell.levels.push_back({amountFrom(level.at(0)),
+                               {numberOrNan(level.at(1)), numberOrNan(level.at(2))},
+                               level.size() > 3 ? countFrom(level.at(3)) : 0});
     if (!json.at("exponent").is_null()) cell.exponent = uncertainFrom(json.at("exponent"));
     return cell;
 }
@@ -68,12 +82,17 @@ struct CellFile {
 CellFile readCellFile(const fs::path& file) {
     return readTradeFile(file, [&](const Json& json) {
         const Json& truth = json.at("truth");
+        const std::uint64_t number = countFrom(json.at("number"));
+        const Json& names = json.at("question").at("settings");
+        if (number >= names.size() || names[number] != json.at("cell").at("name") ||
+            file.filename() != cellName(number))
+            throw DamagedTradeFile();
         return CellFile{json.at("question"),
-                        {truth.at("light").get<double>(), truth.at("relativeError").get<double>(),
+                        {amountFrom(truth.at("light")), amountFrom(truth.at("relativeError")),
                          truth.at("exact").get<bool>(), json.at("question").at("depth").get<std::uint32_t>()},
                         truth.at("reference").get<std::string>(),
-                        json.at("target").get<double>(),
-                        json.at("number").get<std::size_t>(),
+                        amountFrom(json.at("target")),
+                        number,
                         cellFrom(file, json.at("cell"))};
     });
 }
@@ -119,6 +138,7 @@ Json cellJson(const TradeCell& cell) {
     json["seconds"] = cell.seconds;
     json["secondsError"] = cell.secondsError;
     json["paceSeconds"] = cell.paceSeconds;
+    json["unseen"] = jsonOf(cell.unseen);
     json["variance"] = uncertainJson(cell.statistics.variance);
     json["bias2"] = uncertainJson(cell.statistics.bias2);
     json["noise"] = jsonOf(cell.statistics.noise);
@@ -152,7 +172,7 @@ void writeCell(const fs::path& folder, const TradeFolder& trade, std::size_t num
                      {"reference", trade.referenceWords}};
     json["number"] = number;
     json["cell"] = cellJson(trade.cells.at(number));
-    writeFileAtomically(folder / "cells" / fmt::format("{:04}.json", number), json.dump(1) + '\n');
+    writeFileAtomically(folder / "cells" / cellName(number), json.dump(1) + '\n');
 }
 
 TradeFolder mergedFolders(const std::vector<fs::path>& folders) {

@@ -9,7 +9,26 @@
 namespace halfdisk {
 
 double numberFrom(const Json& json) {
-    return json.is_null() ? std::nan("") : json.get<double>();
+    constexpr double kMost = 1e150;
+    const double number = json.get<double>();
+    if (!(std::abs(number) <= kMost)) throw DamagedTradeFile();
+    return number;
+}
+
+double amountFrom(const Json& json) {
+    const double amount = numberFrom(json);
+    if (amount < 0.0) throw DamagedTradeFile();
+    return amount;
+}
+
+std::uint64_t countFrom(const Json& json) {
+    constexpr std::uint64_t kMost = std::uint64_t{1} << 53;
+    if (!json.is_number_unsigned() || json.get<std::uint64_t>() > kMost) throw DamagedTradeFile();
+    return json.get<std::uint64_t>();
+}
+
+double numberOrNan(const Json& json) {
+    return json.is_null() ? std::nan("") : numberFrom(json);
 }
 
 Json uncertainJson(const Uncertain& number) {
@@ -17,7 +36,7 @@ Json uncertainJson(const Uncertain& number) {
 }
 
 Uncertain uncertainFrom(const Json& json) {
-    return {numberFrom(json.at(0)), numberFrom(json.at(1))};
+    return {numberOrNan(json.at(0)), numberOrNan(json.at(1))};
 }
 
 Json pictureJson(const Picture& picture) {
@@ -34,16 +53,18 @@ Picture pictureFrom(const Json& json) {
 }
 
 std::string textOfTradeFile(const std::filesystem::path& file) {
+    if (std::filesystem::is_directory(file))
+        throw InputError(file.string(), "is a folder, expected a file that halfdisk trade wrote");
     std::ifstream stream(file, std::ios::binary);
     std::string text(std::istreambuf_iterator<char>(stream), {});
-    if (!stream) throw InputError(file.string(), "cannot be read");
+    if (!stream) throw InputError(file.string(), "cannot be read, expected a file that halfdisk trade wrote");
     return text;
 }
 
-std::string damagedTradeFile() {
-    return "is damaged, or not what halfdisk trade wrote; without this file the others are of use: delete "
-           "it, "
-           "and the same command measures it again";
+void failDamaged(const std::filesystem::path& file) {
+    throw InputError(file.string(),
+                     "is damaged, or not what halfdisk trade wrote; without this file the others are of use: "
+                     "delete it, and what it held is measured again by the command that wrote it");
 }
 
 std::string differenceOf(const Json& here, const Json& asked) {

@@ -10,8 +10,17 @@
 
 namespace halfdisk {
 
-/// A number; null is NaN.
+/// Thrown by what follows where a file holds what halfdisk trade does not write.
+struct DamagedTradeFile {};
+
+/// A number, finite, whose square is a number too.
 double numberFrom(const Json& json);
+/// Not below zero.
+double amountFrom(const Json& json);
+/// From 0 to 2^53.
+std::uint64_t countFrom(const Json& json);
+/// The same, or null, which is NaN.
+double numberOrNan(const Json& json);
 Json uncertainJson(const Uncertain& number);
 Uncertain uncertainFrom(const Json& json);
 Json pictureJson(const Picture& picture);
@@ -20,8 +29,8 @@ Picture pictureFrom(const Json& json);
 /// Throws InputError, with the file's name, if `file` can't be read.
 std::string textOfTradeFile(const std::filesystem::path& file);
 
-/// What is said of a file that `read` can't make sense of.
-std::string damagedTradeFile();
+/// Throws InputError, with the file's name.
+[[noreturn]] void failDamaged(const std::filesystem::path& file);
 
 /// `read` of a file that holds JSON. Throws InputError with the file's name if it does not, or lacks what
 /// `read` asks for.
@@ -31,7 +40,9 @@ auto readTradeFile(const std::filesystem::path& file, const Read& read) {
     try {
         return read(Json::parse(text));
     } catch (const Json::exception&) {
-        throw InputError(file.string(), damagedTradeFile());
+        failDamaged(file);
+    } catch (const DamagedTradeFile&) {
+        failDamaged(file);
     }
 }
 

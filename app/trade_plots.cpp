@@ -75,7 +75,7 @@ std::vector<std::string> writeTradePlots(const std::filesystem::path& folder, co
          [&](const Ui& ui, ImVec2 size) { drawTradeFront(ui, report, TradeCost::seconds, size); }},
         {"convergence", "How the error falls",
          [&](const Ui& ui, ImVec2 size) { drawConvergence(ui, report, size); }}};
-    if (!(report.truth.light > 0.0)) return {};  // there is no error to draw
+    if (report.truth.isDark()) return {};  // there is no error to draw
     bool pixels = false;
     const std::unique_ptr<HeadlessHost> host = anyHost(pixels);
     Session session;

@@ -18,7 +18,8 @@ std::string bytesOf(const fs::path& file) {
     if (fs::is_directory(file)) throw InputError(file.string(), "this is a directory, expected a file");
     std::ifstream stream(file, std::ios::binary);
     std::string bytes(std::istreambuf_iterator<char>(stream), {});
-    if (!stream) throw InputError(file.string(), "cannot be read");
+    if (!stream)
+        throw InputError(file.string(), "cannot be read, expected what halfdisk eye, profile or field wrote");
     return bytes;
 }
 

@@ -30,7 +30,7 @@ std::vector<Picture> picturesFrom(const Json& json) {
 
 void requireSizes(const fs::path& file, const std::vector<Picture>& pictures, std::size_t size) {
     for (const Picture& picture : pictures)
-        if (picture.size() != size) throw InputError(file.string(), damagedTradeFile());
+        if (picture.size() != size) failDamaged(file);
 }
 
 /// `pixels` 0: not known.
@@ -40,7 +40,7 @@ void requireConsistent(const fs::path& file, const TradeReference& reference, st
     const bool inside = std::all_of(reference.pixels.begin(), reference.pixels.end(),
                                     [&](std::uint32_t pixel) { return pixels == 0 || pixel < pixels; });
     const bool fits = some ? reference.pixels.size() == size : pixels == 0 || size == pixels;
-    if (size == 0 || !inside || !fits) throw InputError(file.string(), damagedTradeFile());
+    if (size == 0 || !inside || !fits) failDamaged(file);
     requireSizes(file, reference.groups, size);
     if (!reference.standardError.empty()) requireSizes(file, {reference.standardError}, size);
 }
@@ -56,7 +56,7 @@ std::optional<TradeReference> readReference(const fs::path& folder, const Json& 
         requireQuestion(file, json.at("question"), question);
         TradeReference reference;
         reference.how = json.at("how").get<std::string>();
-        reference.relativeError = json.at("relativeError").get<double>();
+        reference.relativeError = amountFrom(json.at("relativeError"));
         reference.pixels = json.at("pixels").get<std::vector<std::uint32_t>>();
         reference.mean = pictureFrom(json.at("mean"));
         reference.standardError = pictureFrom(json.at("standardError"));
@@ -89,16 +89,17 @@ BegunRun readBegunReference(const fs::path& folder, const Json& question, std::u
         BegunRun begun;
         begun.estimator = json.at("estimator").get<std::string>();
         GroupedPasses& run = begun.run;
-        run.groups.each = json.at("each").get<std::uint64_t>();
+        run.groups.each = countFrom(json.at("each"));
         run.groups.means = picturesFrom(json.at("groups"));
-        run.seconds = json.at("seconds").get<double>();
-        run.counts.rays = json.at("rays").get<std::uint64_t>();
-        run.counts.paths = json.at("paths").get<std::uint64_t>();
-        run.counts.cut = json.at("cut").get<std::uint64_t>();
-        run.counts.nonFinite = json.at("nonFinite").get<std::uint64_t>();
+        run.seconds = amountFrom(json.at("seconds"));
+        run.counts.rays = countFrom(json.at("rays"));
+        run.counts.paths = countFrom(json.at("paths"));
+        run.counts.cut = countFrom(json.at("cut"));
+        run.counts.nonFinite = countFrom(json.at("nonFinite"));
         requireSizes(file, run.groups.means, pixels);
-        if (run.groups.each == 0 || run.groups.means.size() >= PassGroups::kMost)
-            throw InputError(file.string(), damagedTradeFile());
+        if (run.groups.passes() == 0 || run.groups.means.size() >= PassGroups::kMost ||
+            run.groups.passes() != countFrom(json.at("passes")))
+            failDamaged(file);
         return begun;
     });
 }
@@ -109,6 +110,7 @@ void writeBegunReference(const fs::path& folder, const Json& question, const Beg
     json["question"] = question;
     json["estimator"] = begun.estimator;
     json["each"] = run.groups.each;
+    json["passes"] = run.groups.passes();
     json["seconds"] = run.seconds;
     json["rays"] = run.counts.rays;
     json["paths"] = run.counts.paths;

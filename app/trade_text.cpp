@@ -165,7 +165,7 @@ std::string reportText(const TradeFolder& trade, const TradeReport& report) {
     if (trade.truthSpread > 0.0)
         text += fmt::format("the parts had references of their own, which differ by {} at most\n",
                             percent(trade.truthSpread));
-    if (!(report.truth.light > 0.0))
+    if (report.truth.isDark())
         return text + "no light reaches the sensor: no error is relative to anything\n";
     std::size_t width = 20;
     for (const TradeCell& cell : report.cells) width = std::max(width, cell.name.size());

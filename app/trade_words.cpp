@@ -154,7 +154,7 @@ std::string choiceWords(const AppState& state, const TradeSoFar& trade) {
 
 std::string truthWords(const TradeSoFar& trade) {
     const TradeTruth& truth = trade.report.truth;
-    if (!(truth.light > 0.0)) return {};
+    if (truth.isDark()) return {};
     const std::string known = percentWords(truth.relativeError);
     return truth.exact ? say("Held against the exact light, known to {}.", known)
                        : say("Held against {}; its own error is {}.", trMessage(trade.reference), known);

@@ -37,20 +37,24 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
     return shares;
 }
 
-/// By the last measured shares, going on as they fell.
-std::uint32_t depthOf(const std::vector<BeyondDepth>& shares, double tolerance) {
+/// By the last measured shares, going on as they fell. Sets `ahead` where no depth is enough.
+std::uint32_t depthOf(const std::vector<BeyondDepth>& shares, double tolerance,
+                      std::optional<BeyondDepth>& ahead) {
     if (shares.empty()) return kMaxDepthInfo.initial;
     for (const BeyondDepth& beyond : shares)
         if (isEnough(beyond, tolerance)) return beyond.depth;
     const BeyondDepth& last = shares.back();
     if (shares.size() < 2) return last.depth + 1;
     const BeyondDepth& before = shares[shares.size() - 2];
-    const double fall = std::pow(std::max(1e-12, last.share) / std::max(1e-12, before.share),
-                                 1.0 / (last.depth - before.depth));
-    if (!(fall < 0.999)) return kMaxDepthInfo.most;
-    const double more = std::log(tolerance / std::max(tolerance, last.share)) / std::log(fall);
-    return static_cast<std::uint32_t>(
-        std::min(static_cast<double>(kMaxDepthInfo.most), last.depth + std::ceil(more) + 1.0));
+    const double fall = std::min(1.0, std::pow(std::max(1e-12, last.share) / std::max(1e-12, before.share),
+                                               1.0 / (last.depth - before.depth)));
+    const double most = static_cast<double>(kMaxDepthInfo.most),
+                 more = std::log(tolerance / std::max(tolerance, last.share)) / std::log(fall),
+                 depth = last.depth + std::ceil(more) + 1.0;
+    if (fall < 1.0 && depth <= most) return static_cast<std::uint32_t>(depth);
+    const double left = std::pow(fall, most - last.depth);
+    ahead = {static_cast<std::uint32_t>(kMaxDepthInfo.most), left * last.share, left * last.standardError};
+    return ahead->depth;
 }
 
 }  // namespace
@@ -74,7 +78,7 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
         bounces.missing = {bounces.depth, bounces.patches->beyond.back(), 0.0};
         return bounces;
     }
-    bounces.depth = std::max(1u, depthOf(bounces.measured, question.tolerance));
+    bounces.depth = std::max(1u, depthOf(bounces.measured, question.tolerance, bounces.ahead));
     // The albedo bounds the light of the whole room; a sensor in its darkest corner may see later light. So
     // much later is noise.
     if (bounces.byAlbedo) bounces.depth = std::min(bounces.depth, 4 * std::max(1u, *bounces.byAlbedo));
@@ -93,6 +97,9 @@ std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts
         if (bounces.patches)
             reason += words::joined(", by ", std::to_string(bounces.patches->patches), " patches");
         reason += "; ";
+        if (missing->depth == kMaxDepthInfo.most && !isEnough(*missing, tolerance))
+            reason += words::joined("no more than ", std::to_string(missing->depth),
+                                    " are followed: some light is missing; ");
         if (missing->depth < bounces.depth && !isEnough(*missing, tolerance))
             reason +=
                 words::joined("going on as they fall, ", std::to_string(bounces.depth), " are enough; ");

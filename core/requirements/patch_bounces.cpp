@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "core/form_factors.h"
 #include "core/radiosity_system.h"
@@ -114,15 +115,26 @@ Sums sumsOf(const Row& light, const Row& weights) {
     return sums;
 }
 
+/// Adds to `sum`, the light of all scatterings up to the last two, what all others would bring: the light
+/// falls by a fixed share every two of them, for the other half of an exchange between two walls alternates.
+/// Nearly all of it if it never falls.
+void addEndless(Row& sum, const Row& last, const Row& before, double share) {
+    constexpr double kNever = 1.0 - 1e-12;
+    const double further = std::min(share, kNever) / (1.0 - std::min(share, kNever));
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += further * (last[i] + before[i]);
+}
+
 /// beyond[D] of one channel.
 Row beyondOf(const Exchange& exchange, const Row& albedo, const Row& direct, const Row& weights,
              double tolerance, const StopQuestion& stop) {
     const double places = std::accumulate(weights.begin(), weights.end(), 0.0);
     // Light that arrives after exactly k scatterings, and the sums of all up to there.
     std::vector<Row> upTo{direct};
-    Row light = direct;
-    for (std::uint32_t k = 1; k <= kMostBounces; ++k) {
+    Row light = direct, before, beforeThat;
+    bool settled = false;
+    for (std::uint32_t k = 1; k <= kMostBounces && !settled; ++k) {
         throwIfStopped(stop);
+        beforeThat = std::exchange(before, light);
         for (std::size_t i = 0; i < light.size(); ++i) light[i] *= albedo[i];
         light = exchange.arriving(light);
         Row sum = upTo.back();
@@ -130,12 +142,18 @@ Row beyondOf(const Exchange& exchange, const Row& albedo, const Row& direct, con
         upTo.push_back(std::move(sum));
         // Nowhere in the room, not only at the sensor: a bounce may bring it nothing, and the next one a lot.
         const double most = *std::max_element(light.begin(), light.end());
-        if (most <= 1e-3 * tolerance * sumsOf(upTo.back(), weights).mean / places) break;
+        settled = most <= 1e-3 * tolerance * sumsOf(upTo.back(), weights).mean / places;
     }
-    const Sums all = sumsOf(upTo.back(), weights);
+    Row endless = upTo.back();
+    if (!settled) {
+        const double now = std::accumulate(light.begin(), light.end(), 0.0),
+                     then = std::accumulate(beforeThat.begin(), beforeThat.end(), 0.0);
+        addEndless(endless, light, before, now / then);
+    }
+    const Sums all = sumsOf(endless, weights);
     Row beyond;
     for (const Row& sum : upTo) {
-        Row rest = upTo.back();
+        Row rest = endless;
         for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= sum[i];
         const Sums left = sumsOf(rest, weights);
         beyond.push_back(all.mean > 0.0 ? std::max(left.mean / all.mean, std::sqrt(left.square / all.square))

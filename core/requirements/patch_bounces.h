@@ -17,7 +17,7 @@ struct PatchBounces {
     std::size_t patches = 0;
     /// Share of the light at the sensor that comes after more than D scatterings, D = 0, 1, ...: the larger
     /// one of means and of root mean squares over what the sensor sees. Until it is below the tolerance, or
-    /// 1000.
+    /// 1000: of all light, that of still later scatterings too.
     std::vector<double> beyond;
 };
 

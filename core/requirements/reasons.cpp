@@ -95,7 +95,7 @@ std::string misReason(const RequirementsAnswer& answer) {
         return "a formula gives all the light: nothing is weighed";
     const auto weighs = [](const Candidate& candidate) { return candidate.plan.way.mis; };
     return orElse(factor(answer, weighs, "weighing two ways", "one way alone"),
-                  "the other ways can't do without");
+                  answer.plan.way.mis ? "the other ways can't do without" : "all ways tried agree in this");
 }
 
 std::string lightPassReason(const RequirementsQuestion& question, const RequirementsAnswer& answer) {
@@ -110,11 +110,16 @@ std::string lightPassReason(const RequirementsQuestion& question, const Requirem
     if (!has.specular || !question.forced.empty() || answer.candidates.size() > 1)
         return orElse(
             factor(answer, sends, "sending paths from the lights", "looking back from the sensor alone"),
-            "paths from the sensor find all light");
+            answer.plan.way.lightPass ? "paths from the sensor find all light as well"
+                                      : "paths from the sensor find all light");
     return "paths from the sensor find all light";
 }
 
 std::string photonReason(const RequirementsAnswer& answer) {
+    const SceneTraits& has = answer.facts.traits;
+    const bool only = has.delta && has.specular && has.scattering;
+    if (answer.plan.way.photonPass && !only)
+        return "storing photons blurs light that other ways carry as well";
     if (answer.plan.way.photonPass)
         return "no way without stored photons carries all paths: caustics of lights without size, seen in "
                "mirrors or through glass";

@@ -57,6 +57,7 @@ void cutAt(std::uint32_t depth, BounceFindings& bounces) {
     }
     for (const BeyondDepth& beyond : bounces.measured)
         if (beyond.depth <= depth) bounces.missing = beyond;
+    if (bounces.ahead && bounces.ahead->depth <= depth) bounces.missing = bounces.ahead;
 }
 
 // What is tried must not be what is then shown: choosing by the same random numbers would favour them.

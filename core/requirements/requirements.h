@@ -60,7 +60,10 @@ struct BounceFindings {
     std::optional<PatchBounces> patches;    ///< of matt rooms
     std::optional<std::uint32_t> byRadius;  ///< bound by the spectral radius
     std::vector<BeyondDepth> measured;      ///< by paths, ascending in depth
-    std::optional<BeyondDepth> missing{};   ///< what the plan's depth leaves out, as far as it was measured
+    /// Where light of no depth that can be followed falls below the tolerance: what is beyond the deepest, if
+    /// it goes on as it was measured to fall.
+    std::optional<BeyondDepth> ahead{};
+    std::optional<BeyondDepth> missing{};  ///< what the plan's depth leaves out, as far as it was measured
 };
 
 /// A way that was tried.

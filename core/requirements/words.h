@@ -30,7 +30,9 @@ inline std::string rounded(double factor) {
 }
 
 inline std::string percent(double share, int digits = 2) {
-    return joined(number(100.0 * share, digits), " %");
+    // Never 1e+02 %.
+    const bool nearlyAll = share > 0.99 && share < 9.995;
+    return joined(number(100.0 * share, nearlyAll ? 3 : digits), " %");
 }
 
 /// "no wall", "1 wall", "3 walls".

@@ -3,6 +3,7 @@
 #include "core/trade/trade_cell.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 #include "core/stopwatch.h"
@@ -22,6 +23,22 @@ std::unique_ptr<Estimator> makeOrTell(const Problem& problem, const TradeSetting
         refusal = found.what();
         return nullptr;
     }
+}
+
+/// A path that meets a lamp or the sky by chance brings no more than their radiance from all around. If it
+/// comes once in n / 3 passes, n of them miss it with probability exp(-3), 5 %, and look as if it were not.
+double unseenLight(const Scene& scene, std::uint64_t passes) {
+    double most = 0.0;
+    const auto see = [&](const Rgb& radiance) {
+        most = std::max({most, radiance.x, radiance.y, radiance.z});
+    };
+    for (const Segment& wall : scene.segments) see(wall.emission);
+    constexpr int kLooks = 360;
+    for (int i = 0; i < kLooks; ++i) {
+        const double angle = 2.0 * kPi * i / kLooks;
+        see(radianceFrom(scene.environment, {std::cos(angle), std::sin(angle)}));
+    }
+    return 3.0 * 2.0 * kPi * most / static_cast<double>(passes);
 }
 
 /// What is prepared in a moment is prepared again, and the median time told: a single interruption would be
@@ -48,6 +65,8 @@ bool isSameRun(const TradeCell& a, const TradeCell& b) {
     if (!a.measured() || !b.measured() || one.estimator != other.estimator ||
         one.maxDepth != other.maxDepth || one.facets != other.facets || one.index != other.index)
         return false;
+    // What has a bias does more than follow paths: patches, photons. It takes its time.
+    if (!one.estimator->bias.empty()) return false;
     // What has no noise may come to the same in another way; noise to the last bit is the same paths.
     const double variance = a.statistics.variance.value;
     if (!(variance > 0.0) || !(b.statistics.variance.value > 0.0)) return false;
@@ -88,6 +107,7 @@ TradeCell measureCell(const Problem& problem, const TradeSetting& setting, std::
     cell.seconds = run.seconds;
     cell.secondsError = run.groups.timeError() * run.seconds;
     cell.paceSeconds = 0.5 * (before + paceSeconds()) * run.waiting();
+    cell.unseen = unseenLight(scene, cell.passes);
     cell.statistics = statisticsOf(run.groups, reference);
     cell.exponent = exponentOf(cell.levels);
     return cell;

@@ -19,6 +19,9 @@ struct TradeCell {
     double seconds = 0.0;       ///< of the passes
     double secondsError = 0.0;  ///< its standard error, by how groups of passes differ
     double paceSeconds = 0.0;  ///< paceSeconds() before and after, times GroupedPasses::waiting; 0: not known
+    /// What paths that chance has not met yet may bring the light, W/(m rad) or W/m: so rare ones, once in a
+    /// third of the passes, are missed one time in twenty. See unseenLight.
+    double unseen = 0.0;
     TradeStatistics statistics;
     std::vector<TradeLevel> levels;
     std::optional<Uncertain> exponent;

@@ -10,7 +10,7 @@ namespace {
 bool claimsNone(const TradeCell& cell, const TradeTruth& truth) {
     const TradeSetting& setting = cell.setting;
     return cell.complete && setting.estimator->bias.empty() && setting.maxDepth == truth.askedDepth &&
-           setting.facets == 1.0;
+           setting.facets == 1.0 && precisionOf(setting.index) == Precision::twice;
 }
 
 }  // namespace
@@ -70,7 +70,11 @@ TradeLaw carefulLaw(const TradeCell& cell, const TradeTruth& truth, bool biased)
 bool isBiased(const TradeCell& cell, const TradeTruth& truth) {
     const Uncertain bias2 = cell.statistics.bias2;
     const double own = truth.exact ? truth.relativeError * truth.light : 0.0;
-    return bias2.value > kSureBias * bias2.error && bias2.value > own * own;
+    return bias2.value > kSureBias * bias2.error && bias2.value > own * own && !mayBeUnseen(cell, truth);
+}
+
+bool mayBeUnseen(const TradeCell& cell, const TradeTruth& truth) {
+    return claimsNone(cell, truth) && cell.statistics.bias2.value <= cell.unseen * cell.unseen;
 }
 
 }  // namespace halfdisk

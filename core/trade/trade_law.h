@@ -19,6 +19,9 @@ struct TradeTruth {
     double relativeError = 0.0;  ///< of the reference
     bool exact = false;
     std::uint32_t askedDepth = 0;
+
+    /// No error is relative to it: none, or so little that its square is no number.
+    bool isDark() const { return !(light > 1e-150); }
 };
 
 /// Relative errors (RMSE over the light's mean) at which settings are compared: a factor of 10^(1/20) apart.
@@ -26,8 +29,8 @@ inline constexpr double kLeastTradeError = 1e-3, kMostTradeError = 1.0;
 std::vector<double> tradeErrors();
 
 /// The law of one setting: RMSE^2 = bias^2 + V / passes. Where an estimator says that it has no bias, and
-/// carries every path, one counts only if it is sure (kSureBias standard errors, and more than an exact
-/// reference's own error); else what was measured counts.
+/// carries every path, one counts only if it is sure (kSureBias standard errors, more than an exact
+/// reference's own error, and than light that was not found yet); else what was measured counts.
 struct TradeLaw {
     double bias2 = 0.0, variance = 0.0;     ///< as shares of the squared light
     double preparation[2]{}, perPass[2]{};  ///< by TradeCost
@@ -42,7 +45,11 @@ struct TradeLaw {
 inline constexpr double kSureBias = 4.0;   ///< standard errors: of a hundred settings none by chance
 inline constexpr double kSureTime = 1.25;  ///< times vary by so much from run to run, at the same pace
 
-/// Whether a bias is sure: see kSureBias.
+/// Whether what looks like a bias may be light that chance has not found yet, in few passes of an estimator
+/// that leaves none out: where all of them missed it they agree, and their spread tells nothing.
+bool mayBeUnseen(const TradeCell& cell, const TradeTruth& truth);
+
+/// Whether a bias is sure: see kSureBias, and not mayBeUnseen.
 bool isBiased(const TradeCell& cell, const TradeTruth& truth);
 
 /// The law of a measured cell if V, bias^2 and the seconds of a pass are so many standard errors off.

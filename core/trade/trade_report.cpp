@@ -21,7 +21,7 @@ void fillVerdict(TradeVerdict& verdict, const TradeCell& cell, const TradeTruth&
     verdict.foundNothing = !(cell.statistics.mean > 0.0);
     verdict.biased = isBiased(cell, truth);
     verdict.bias = share(bias2.value);
-    verdict.biasLow = share(bias2Low(cell.statistics, cell.groups));
+    verdict.biasLow = mayBeUnseen(cell, truth) ? 0.0 : share(bias2Low(cell.statistics, cell.groups));
     verdict.biasHigh = share(bias2High(cell.statistics, cell.groups));
     verdict.law = lawOf(cell, truth, verdict.biased, 0.0);
     verdict.careful = carefulLaw(cell, truth, verdict.biased);
@@ -145,7 +145,7 @@ TradeReport tradeReport(std::vector<TradeCell> cells, const TradeTruth& truth, d
     report.target = target;
     report.cells = std::move(cells);
     report.verdicts.resize(report.cells.size());
-    if (!(truth.light > 0.0)) return report;  // in the dark no error is relative to anything
+    if (truth.isDark()) return report;
     const std::vector<TradeCell> timed = findSameRuns(report);
     findPace(report, timed);
     for (std::size_t i = 0; i < timed.size(); ++i)

@@ -161,6 +161,13 @@ TEST_CASE("--estimator auto: light that is lost by what is forced is told, witho
         CHECK(lossy["loses"].get<std::string>().find("the plan carries ") == 0);
         CHECK(Json::parse(run(command, {"--json"}))["loses"].is_null());
     }
+    const std::vector<std::string> dark{"requirements", disk, "--sensor", "profile", "--walls", "floor"};
+    CHECK(run(dark, {"--force", "bounces=off"}).find("NOTE: light is missing: more than 0 scatterings") !=
+          std::string::npos);
+    CHECK(Json::parse(run(dark, {"--force", "bounces=off", "--json"}))["loses"].is_string());
+    CHECK(Json::parse(run(dark, {"--json"}))["loses"].is_null());
+    const std::string both = run(dark, {"--force", "photon-pass=on"});
+    CHECK(both.find("no way without stored photons") == std::string::npos);
     const std::vector<std::string> room{"probe", shippedScene("diffuse_room.toml"), "--at", "floor:0.5"};
     CHECK(run(room, {"--depth", "1"}).find("missing: more than 1 scatterings, which are not followed") !=
           std::string::npos);

@@ -4,9 +4,11 @@
 #include <fstream>
 
 #include "refusals.h"
+#include "result_files.h"
 #include "run_program.h"
 
 using namespace halfdisk_test;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -88,4 +90,50 @@ TEST_CASE("trade refused: folders that hold something else") {
     std::ofstream(folder / "room" / "cells" / "0001.json") << "{\"half\":";
     checkRefused(small, "0001.json: is damaged, or not what halfdisk trade wrote");
     checkRefused({"trade", "merge", folder / "room", "-o", folder / "all"}, "delete it");
+}
+
+TEST_CASE("trade refused: what a folder holds is not believed blindly") {
+    const TemporaryFolder folder;
+    const std::string out = folder / "room";
+    const std::vector<std::string> small{"trade",        shippedScene("mirror_room.toml"),
+                                         "--width",      "4",
+                                         "--rays",       "2000",
+                                         "--estimators", "path",
+                                         "--sweep",      "roulette=0,4",
+                                         "-o",           out};
+    REQUIRE(runProgram(small).exitCode == 0);
+    const auto checkDamaged = [&](const std::string& file, const std::string& pointer, const Json& value) {
+        const fs::path path = fs::path(out) / file;
+        const std::string kept = readFile(path);
+        Json json = Json::parse(kept);
+        json.at(Json::json_pointer(pointer)) = value;
+        std::ofstream(path) << json;
+        INFO(file << pointer << " = " << value.dump());
+        checkRefused(small, path.filename().string() + ": ");
+        std::ofstream(path) << kept;
+    };
+    const std::string cell = "cells/0001.json";
+    for (const Json& value : {Json(0), Json(-1), Json(1.5), Json("x"), Json(nullptr)})
+        checkDamaged(cell, "/cell/passes", value);
+    for (const char* key : {"preparationSeconds", "seconds", "paceSeconds", "secondsError", "unseen"})
+        for (const Json& value : {Json(-1), Json(1e308), Json(nullptr)})
+            checkDamaged(cell, std::string("/cell/") + key, value);
+    for (const char* key : {"variance", "bias2"})
+        checkDamaged(cell, std::string("/cell/") + key + "/1", 1e308);
+    checkDamaged(cell, "/cell/params/0", 1e18);
+    checkDamaged(cell, "/cell/rays", -1);
+    checkDamaged(cell, "/number", 0);
+    checkDamaged(cell, "/number", 99);
+    checkDamaged(cell, "/truth/light", -1);
+    for (const Json& value : {Json(1e308), Json(nullptr), Json("x")}) {
+        checkDamaged("reference.json", "/groups/0/0/1", value);
+        checkDamaged("reference.json", "/mean/0/0", value);
+    }
+    checkDamaged("reference.json", "/groups/0", Json::array());
+    // A folder where a file should be.
+    fs::remove(fs::path(out) / cell);
+    fs::create_directory(fs::path(out) / cell);
+    checkRefused(small, "0001.json: is a folder");
+    fs::remove(fs::path(out) / cell);
+    CHECK(runProgram(small).exitCode == 0);
 }

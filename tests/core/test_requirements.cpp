@@ -108,6 +108,20 @@ TEST_CASE(
     CHECK(bounces->beyond.size() == 10);  // 0.6^10 = 0.0060 is the first one below 0.01
 }
 
+TEST_CASE("requirements: what no depth can carry is told, not hidden") {
+    const auto beyond = [](double albedo) {
+        const Scene room =
+            polygonRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}}, Rgb(albedo), Rgb(1.0));
+        const SegmentIndex index(room);
+        return patchBounces(index, Profile{{0}, 4}, 0.01)->beyond;
+    };
+    REQUIRE(beyond(0.999).size() == 1001);
+    CHECK(beyond(0.999).back() == doctest::Approx(std::pow(0.999, 1001.0)).epsilon(0.01));
+    CHECK(beyond(0.997).size() > 1001 - 1);
+    CHECK(beyond(0.997).back() == doctest::Approx(std::pow(0.997, 1001.0)).epsilon(0.01));
+    CHECK(beyond(1.0).back() > 0.99);  // light that never ends
+}
+
 TEST_CASE("requirements: a bounce that brings nothing is not the last one") {
     // Of what the floor scatters, nothing meets the floor; of what the ceiling makes of it, much does.
     Scene scene;

@@ -204,6 +204,44 @@ TEST_CASE("trade: what is five percent too bright is told, what is not is left a
     CHECK(wronged <= 1);
 }
 
+TEST_CASE("trade: light that few passes have not found is no bias, and what many show is one") {
+    // One pass in 200 brings 200, the others nothing: the mean is 1.
+    constexpr double kRare = 200.0;
+    const auto run = [&](std::uint64_t seed, std::uint64_t passes, double factor) {
+        PassGroups groups;
+        for (std::uint64_t group = 0; group < 16; ++group) {
+            double sum = 0.0;
+            for (std::uint64_t pass = 0; pass < passes / 16; ++pass) {
+                const Rng rng(seed, group * passes + pass);
+                sum += rng.uniform(0, 0) < 1.0 / kRare ? factor * kRare : 1e-9 * rng.uniform(1, 0);
+            }
+            groups.means.push_back({Rgb(16.0 * sum / static_cast<double>(passes))});
+        }
+        groups.each = passes / 16;
+        GroupedPasses made;
+        made.groups = groups;
+        return made;
+    };
+    TradeReference reference;
+    reference.mean = {Rgb(1.0)};
+    std::uint64_t wronged = 0, spread = 0, told = 0;
+    constexpr std::uint64_t kRuns = 100;
+    for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+        const auto isSure = [&](std::uint64_t passes, double factor, bool unseen) {
+            TradeCell cell = cellOf(run(seed, passes, factor), reference);
+            if (unseen) cell.unseen = 3.0 * kRare / static_cast<double>(passes);
+            const TradeReport report = tradeReport({cell}, {1.0, 0.0, true, 1}, 0.05);
+            return report.verdicts[0].biased;
+        };
+        wronged += isSure(64, 1.0, true) ? 1 : 0;
+        spread += isSure(64, 1.0, false) ? 1 : 0;
+        told += isSure(256'000, 2.0, true) ? 1 : 0;
+    }
+    CHECK(wronged == 0);
+    CHECK(spread > kRuns / 2);  // by the groups' spread alone, nothing at all would be sure
+    CHECK(told == kRuns);
+}
+
 namespace {
 
 /// A cell with this variance of a pass, and bias, exactly known, in a picture whose light is 1.

@@ -37,6 +37,18 @@ std::uint32_t valueOf(const RequirementInfo& info, std::string_view text, std::s
     return static_cast<std::uint32_t>(*count);
 }
 
+/// `mis=on, bounces=2`
+std::string forcedWords(const std::vector<Forced>& forced) {
+    std::string words;
+    for (const Forced& one : forced) {
+        const RequirementInfo& info = infoOf(one.id);
+        const std::string value =
+            info.kind == Switch::onOff ? (one.value != 0 ? "on" : "off") : std::to_string(one.value);
+        words += fmt::format("{}{}={}", words.empty() ? "" : ", ", info.name, value);
+    }
+    return words;
+}
+
 }  // namespace
 
 std::vector<Forced> forcedArguments(const std::vector<std::string>& texts) {
@@ -126,6 +138,9 @@ bool askRequirements(RequirementsQuestion question, RequirementsAnswer& answer) 
         return true;
     } catch (const Stopped&) {
         return false;
+    } catch (const NoWay& refusal) {
+        throw InputError(
+            fmt::format("{} ({}), expected other ones", refusal.what(), forcedWords(question.forced)));
     } catch (const std::invalid_argument& refusal) {
         throw InputError(refusal.what());
     }

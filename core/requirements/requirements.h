@@ -5,6 +5,8 @@
 // the choice is by measurement. Only the number of bounces drops light, and says how much.
 #pragma once
 
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "core/requirements/patch_bounces.h"
@@ -71,6 +73,11 @@ struct Candidate {
     Plan plan;
     Pilot pilot;
     bool chosen = false;
+};
+
+/// No way of carrying light does what is forced.
+struct NoWay : std::invalid_argument {
+    using std::invalid_argument::invalid_argument;
 };
 
 struct RequirementsAnswer {

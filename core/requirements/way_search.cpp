@@ -49,8 +49,8 @@ class Search {
             if (!answer_.candidates.empty()) break;
         }
         if (answer_.candidates.empty())
-            throw std::invalid_argument(words::joined("no way of carrying light does what is forced: ",
-                                                      refusal_.empty() ? forcedWords() : refusal_));
+            throw NoWay(words::joined("no way of carrying light does what is forced",
+                                      refusal_.empty() ? "" : ": ", refusal_));
         takeBest();
         tryOtherRoulette();
         if (answer_.plan.way.estimator == "closed-form") return;
@@ -62,18 +62,6 @@ class Search {
 
  private:
     std::uint32_t depth() const { return answer_.bounces.depth; }
-
-    /// `mis=on, light-sampling=off, expected fewer of them`
-    std::string forcedWords() const {
-        std::string all;
-        for (const Forced& forced : question_.forced) {
-            const RequirementInfo& info = infoOf(forced.id);
-            const std::string value = info.kind == Switch::onOff ? (forced.value != 0 ? "on" : "off")
-                                                                 : std::to_string(forced.value);
-            all += words::joined(all.empty() ? "" : ", ", info.name, "=", value);
-        }
-        return all + ", expected fewer of them";
-    }
 
     void tell(double share, std::string_view what) const {
         if (question_.told) question_.told(share, what);

@@ -23,7 +23,7 @@ std::string amount(const TradeReport& report, std::size_t i, TradeCost cost) {
     if (!value) return "never";
     constexpr double kRough = 0.3;
     const Uncertain variance = cell.statistics.variance;
-    const bool rough = variance.error > kRough * variance.value ||
+    const bool rough = variance.error > kRough * variance.value || mayBeUnseen(cell, report.truth) ||
                        (cost == TradeCost::seconds &&
                         (cell.secondsError > kRough * cell.seconds || verdict.slower > kSureTime));
     return fmt::format("{}{:.3g}", rough ? "~" : "", *value);

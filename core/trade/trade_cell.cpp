@@ -3,7 +3,6 @@
 #include "core/trade/trade_cell.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "core/stopwatch.h"
@@ -33,11 +32,9 @@ double unseenLight(const Scene& scene, std::uint64_t passes) {
         most = std::max({most, radiance.x, radiance.y, radiance.z});
     };
     for (const Segment& wall : scene.segments) see(wall.emission);
-    constexpr int kLooks = 360;
-    for (int i = 0; i < kLooks; ++i) {
-        const double angle = 2.0 * kPi * i / kLooks;
-        see(radianceFrom(scene.environment, {std::cos(angle), std::sin(angle)}));
-    }
+    const Environment& sky = scene.environment;
+    if (sky.strip.empty()) see(sky.radiance);
+    for (const Rgb& factor : sky.strip) see(sky.radiance * factor);
     return 3.0 * 2.0 * kPi * most / static_cast<double>(passes);
 }
 

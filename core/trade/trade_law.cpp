@@ -13,6 +13,13 @@ bool claimsNone(const TradeCell& cell, const TradeTruth& truth) {
            setting.facets == 1.0 && precisionOf(setting.index) == Precision::twice;
 }
 
+/// Whether the spread of the groups leaves no doubt that their mean is another one.
+bool looksBiased(const TradeCell& cell, const TradeTruth& truth) {
+    const Uncertain bias2 = cell.statistics.bias2;
+    const double own = truth.exact ? truth.relativeError * truth.light : 0.0;
+    return bias2.value > kSureBias * bias2.error && bias2.value > own * own;
+}
+
 }  // namespace
 
 std::vector<double> tradeErrors() {
@@ -50,6 +57,10 @@ TradeLaw lawOf(const TradeCell& cell, const TradeTruth& truth, bool biased, doub
     TradeLaw law;
     const double spread = standardErrors * measured.variance.error;
     law.variance = std::max(measured.variance.value + spread, 0.05 * measured.variance.value) / light2;
+    // What all passes missed is noise: one that had met it would have brought that much more.
+    if (mayBeUnseen(cell, truth))
+        law.variance =
+            std::max(law.variance, static_cast<double>(cell.passes) * measured.bias2.value / light2);
     if (biased || !claimsNone(cell, truth))
         law.bias2 = std::max(0.0, measured.bias2.value + standardErrors * measured.bias2.error) / light2;
     law.preparation[at(TradeCost::seconds)] = cell.preparationSeconds;
@@ -67,14 +78,13 @@ TradeLaw carefulLaw(const TradeCell& cell, const TradeTruth& truth, bool biased)
     return law;
 }
 
-bool isBiased(const TradeCell& cell, const TradeTruth& truth) {
-    const Uncertain bias2 = cell.statistics.bias2;
-    const double own = truth.exact ? truth.relativeError * truth.light : 0.0;
-    return bias2.value > kSureBias * bias2.error && bias2.value > own * own && !mayBeUnseen(cell, truth);
+bool mayBeUnseen(const TradeCell& cell, const TradeTruth& truth) {
+    return claimsNone(cell, truth) && looksBiased(cell, truth) &&
+           cell.statistics.bias2.value <= cell.unseen * cell.unseen;
 }
 
-bool mayBeUnseen(const TradeCell& cell, const TradeTruth& truth) {
-    return claimsNone(cell, truth) && cell.statistics.bias2.value <= cell.unseen * cell.unseen;
+bool isBiased(const TradeCell& cell, const TradeTruth& truth) {
+    return looksBiased(cell, truth) && !mayBeUnseen(cell, truth);
 }
 
 }  // namespace halfdisk

@@ -45,8 +45,9 @@ struct TradeLaw {
 inline constexpr double kSureBias = 4.0;   ///< standard errors: of a hundred settings none by chance
 inline constexpr double kSureTime = 1.25;  ///< times vary by so much from run to run, at the same pace
 
-/// Whether what looks like a bias may be light that chance has not found yet, in few passes of an estimator
-/// that leaves none out: where all of them missed it they agree, and their spread tells nothing.
+/// Whether what looks like a bias for sure may be light that chance has not found yet, in few passes of an
+/// estimator that leaves none out: where all of them missed it they agree, and their spread tells nothing.
+/// It then counts as noise.
 bool mayBeUnseen(const TradeCell& cell, const TradeTruth& truth);
 
 /// Whether a bias is sure: see kSureBias, and not mayBeUnseen.

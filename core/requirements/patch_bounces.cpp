@@ -76,7 +76,6 @@ double spectralRadiusOf(const Exchange& exchange, const Patches& patches, const 
                         const StopQuestion& stop) {
     constexpr int kMostSteps = 300;
     Row light(albedo.size(), 1.0);
-    double radius = 0.0;
     for (int step = 0; step < kMostSteps; ++step) {
         throwIfStopped(stop);
         Row next = exchange.arriving(light);
@@ -85,11 +84,14 @@ double spectralRadiusOf(const Exchange& exchange, const Patches& patches, const 
         if (!(most > 0.0)) return 0.0;
         for (double& value : next) value /= most;
         // The other half of an exchange between two walls alternates: the mean of two steps does not.
-        for (std::size_t i = 0; i < next.size(); ++i) next[i] = (next[i] + light[i]) / 2.0;
-        const bool settled = std::abs(most - radius) < 1e-7 * most;
-        radius = most;
+        double change = 0.0;
+        for (std::size_t i = 0; i < next.size(); ++i) {
+            next[i] = (next[i] + light[i]) / 2.0;
+            change = std::max(change, std::abs(next[i] - light[i]));
+        }
         light = std::move(next);
-        if (settled) break;
+        constexpr double kSettled = 1e-6;  // everywhere: covered patches go dark while the rest stays
+        if (change < kSettled) break;
     }
     // Rayleigh's quotient, with the weights l / rho for which rho F is symmetric: exact to second order.
     const Row image = exchange.arriving(light);

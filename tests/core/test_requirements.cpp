@@ -108,6 +108,15 @@ TEST_CASE(
     CHECK(bounces->beyond.size() == 10);  // 0.6^10 = 0.0060 is the first one below 0.01
 }
 
+TEST_CASE("requirements: a lamp that lies on the ceiling leaves the spectral radius what it is") {
+    // It hides its part of the ceiling, and takes its place: the room stays closed, of one albedo.
+    Scene room = polygonRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.0}, {0.0, 1.0}}, Rgb(0.9), Rgb(0.0));
+    room.segments.insert(room.segments.begin(), {{0.6, 1.0}, {0.4, 1.0}, 0, Rgb(1.0), false});
+    room.segmentNames.insert(room.segmentNames.begin(), "lamp");
+    const SegmentIndex index(room);
+    CHECK(patchBounces(index, Profile{{1}, 4}, 0.01)->spectralRadius == doctest::Approx(0.9).epsilon(1e-4));
+}
+
 TEST_CASE("requirements: what no depth can carry is told, not hidden") {
     const auto beyond = [](double albedo) {
         const Scene room =

@@ -37,7 +37,8 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
     return shares;
 }
 
-/// By the last measured shares, going on as they fell. Sets `ahead` where no depth is enough.
+/// By the last measured share, with its error, going on as the last two fell. Sets `ahead` where no depth is
+/// enough.
 std::uint32_t depthOf(const std::vector<BeyondDepth>& shares, double tolerance,
                       std::optional<BeyondDepth>& ahead) {
     if (shares.empty()) return kMaxDepthInfo.initial;
@@ -49,7 +50,7 @@ std::uint32_t depthOf(const std::vector<BeyondDepth>& shares, double tolerance,
     const double fall = std::min(1.0, std::pow(std::max(1e-12, last.share) / std::max(1e-12, before.share),
                                                1.0 / (last.depth - before.depth)));
     const double most = static_cast<double>(kMaxDepthInfo.most),
-                 more = std::log(tolerance / std::max(tolerance, last.share)) / std::log(fall),
+                 more = std::log(tolerance / std::max(tolerance, mayMiss(last))) / std::log(fall),
                  depth = last.depth + std::ceil(more) + 1.0;
     if (fall < 1.0 && depth <= most) return static_cast<std::uint32_t>(depth);
     const double left = std::pow(fall, most - last.depth);

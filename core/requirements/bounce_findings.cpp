@@ -89,24 +89,30 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
     return bounces;
 }
 
-std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts, double tolerance) {
+std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts, double tolerance,
+                          double taken) {
+    const double left = tolerance - taken;
     if (facts.mostAlbedo == 0.0) return "no wall scatters any light";
     std::string reason;
     if (const auto& missing = bounces.missing) {
         reason = words::joined("more than ", std::to_string(missing->depth), " scatterings bring ",
-                               shareWords(*missing, tolerance));
+                               shareWords(*missing, left));
         if (bounces.patches)
             reason += words::joined(", by ", std::to_string(bounces.patches->patches), " patches");
         reason += "; ";
-        if (missing->depth == kMaxDepthInfo.most && !isEnough(*missing, tolerance))
+        if (missing->depth == kMaxDepthInfo.most && !isEnough(*missing, left))
             reason += words::joined("no more than ", std::to_string(missing->depth),
                                     " are followed: some light is missing; ");
-        if (missing->depth < bounces.depth && !isEnough(*missing, tolerance))
+        if (missing->depth < bounces.depth && !isEnough(*missing, left))
             reason +=
                 words::joined("going on as they fall, ", std::to_string(bounces.depth), " are enough; ");
     }
-    reason += words::joined("the tolerance is ", words::percent(tolerance), ". The largest albedo, ",
-                            words::number(facts.mostAlbedo, 3));
+    constexpr double kTold = 0.01;  // of the tolerance
+    reason += words::joined("the tolerance is ", words::percent(tolerance));
+    if (taken > kTold * tolerance)
+        reason +=
+            words::joined(", less ", words::percent(taken), " that mirror and glass events may leave out");
+    reason += words::joined(". The largest albedo, ", words::number(facts.mostAlbedo, 3));
     reason += bounces.byAlbedo
                   ? words::joined(", bounds those of the whole room by ", std::to_string(*bounces.byAlbedo))
                   : std::string(", has no bound");

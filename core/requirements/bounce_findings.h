@@ -9,7 +9,8 @@ namespace halfdisk {
 BounceFindings findBounces(const RequirementsQuestion& question, const SceneFacts& facts,
                            std::uint32_t maxSpecular, std::uint64_t& rays);
 
-/// Why so many, with all numbers.
-std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts, double tolerance);
+/// Why so many, with all numbers. `taken`: what mirror and glass events leave out of the tolerance already.
+std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts, double tolerance,
+                          double taken);
 
 }  // namespace halfdisk

@@ -176,8 +176,10 @@ std::vector<Requirement> requirementRows(const RequirementsQuestion& question,
                          : "no wall is glossy",
         Ground::proof);
     add(RequirementId::bounces, answer.plan.maxDepth > 0,
-        facts.traits.delta || facts.traits.area ? bouncesReason(answer.bounces, facts, answer.tolerance)
-                                                : "there is no light",
+        facts.traits.delta || facts.traits.area
+            ? bouncesReason(answer.bounces, facts, answer.tolerance,
+                            specularShare(answer.specular, answer.tolerance))
+            : "there is no light",
         facts.mostAlbedo == 0.0 ? Ground::proof : Ground::measurement, answer.plan.maxDepth);
     planned(RequirementId::lightSampling, lightSamplingReason(answer),
             facts.traits.delta ? Ground::proof : Ground::measurement);

@@ -141,6 +141,7 @@ void findRequirements(const RequirementsQuestion& question, RequirementsAnswer& 
                                .stop = question.stop,
                                .effort = question.effort};
     answer.specular = findSpecular(first, answer.facts, answer.rays);
+    first.tolerance -= specularShare(answer.specular, question.tolerance);
     if (hasLight(answer))
         answer.bounces = findBounces(first, answer.facts, answer.specular.required, answer.rays);
     choosePlan(question, answer);

@@ -57,10 +57,15 @@ SpecularFindings findSpecular(const RequirementsQuestion& question, const SceneF
     for (std::uint32_t events = kUsual; events < kMost; events *= 2) {
         found.measured.push_back(shareBeyond(events, all, events == kUsual ? usual : run(events, same)));
         found.required = events;
-        if (isEnough(found.measured.back(), question.tolerance)) return found;
+        // The other half is for bounces.
+        if (isEnough(found.measured.back(), question.tolerance / 2.0)) return found;
     }
     found.required = kMost;
     return found;
+}
+
+double specularShare(const SpecularFindings& specular, double tolerance) {
+    return specular.measured.empty() ? 0.0 : std::min(tolerance / 2.0, mayMiss(specular.measured.back()));
 }
 
 std::string specularReason(const RequirementsAnswer& answer) {

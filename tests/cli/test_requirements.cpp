@@ -161,18 +161,33 @@ TEST_CASE("--estimator auto: light that is lost by what is forced is told, witho
         CHECK(lossy["loses"].get<std::string>().find("the plan carries ") == 0);
         CHECK(Json::parse(run(command, {"--json"}))["loses"].is_null());
     }
-    const std::vector<std::string> dark{"requirements", disk, "--sensor", "profile", "--walls", "floor"};
-    CHECK(run(dark, {"--force", "bounces=off"}).find("NOTE: light is missing: more than 0 scatterings") !=
-          std::string::npos);
-    CHECK(Json::parse(run(dark, {"--force", "bounces=off", "--json"}))["loses"].is_string());
-    CHECK(Json::parse(run(dark, {"--json"}))["loses"].is_null());
-    const std::string both = run(dark, {"--force", "photon-pass=on"});
-    CHECK(both.find("no way without stored photons") == std::string::npos);
     const std::vector<std::string> room{"probe", shippedScene("diffuse_room.toml"), "--at", "floor:0.5"};
     CHECK(run(room, {"--depth", "1"}).find("missing: more than 1 scatterings, which are not followed") !=
           std::string::npos);
     CHECK_FALSE(
         Json::parse(runProgram({"probe", disk, "--at", "floor:0.5", "--json"}).out).contains("loses"));
+}
+
+TEST_CASE("requirements: bounces that are forced away are told, and what is forced on has a true reason") {
+    const auto run = [](const std::vector<std::string>& more) {
+        std::vector<std::string> command{
+            "requirements", shippedScene("glass_disk_lamp.toml"), "--sensor", "profile", "--walls", "floor"};
+        command.insert(command.end(), more.begin(), more.end());
+        const Outcome outcome = runProgram(command);
+        REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+        return outcome.out;
+    };
+    CHECK(run({"--force", "bounces=off"}).find("NOTE: light is missing: more than 0 scatterings") !=
+          std::string::npos);
+    CHECK(Json::parse(run({"--force", "bounces=off", "--json"}))["loses"].is_string());
+    CHECK(Json::parse(run({"--json"}))["loses"].is_null());
+    const Json forced = Json::parse(run({"--force", "photon-pass=on", "--json"}));
+    CHECK(rowOf(forced, "photon-pass")["reason"] ==
+          "storing photons blurs light that other ways carry as well");
+    const Outcome nobody = runProgram({"requirements", shippedScene("diffuse_room.toml"), "--force", "mis=on",
+                                       "--force", "light-sampling=off"});
+    CHECK(nobody.exitCode == 2);
+    CHECK(nobody.err.find("(mis=on, light-sampling=off), expected other ones") != std::string::npos);
 }
 
 TEST_CASE("requirements: a share that chance measured is told with what it was taken for") {

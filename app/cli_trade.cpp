@@ -204,9 +204,10 @@ void addMerge(CLI::App& trade, Action& chosen) {
     command->add_option("--target", texts->target, "another relative error to reach")->type_name("REL_ERROR");
     command->add_flag("--json", texts->json, "print one JSON object");
     command->footer(
-        "With --rays the result is that of an undivided run, but for the seconds.\n\nExample:\n  halfdisk "
-        "trade merge "
-        "part-1 part-2 -o all");
+        "With --rays the result is that of an undivided run, but for the seconds. Settings that no folder\n"
+        "holds are told, and so is a reference.json that is damaged; all else is joined. A damaged cell is\n"
+        "refused: without its file the others are of use.\n\n"
+        "Example:\n  halfdisk trade merge part-1 part-2 -o all");
     command->callback([&chosen, texts] {
         chosen = [texts] { return runMerge(texts->folders, texts->output, texts->target, texts->json); };
     });

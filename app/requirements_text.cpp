@@ -8,6 +8,7 @@
 #include "app/estimator_arguments.h"
 #include "app/render_result.h"
 #include "app/requirements_arguments.h"
+#include "core/requirements/series.h"
 #include "core/requirements/words.h"
 
 namespace halfdisk {
@@ -82,6 +83,15 @@ std::string costLine(const std::string& what, const PlanCost& cost) {
                        cost.plan.estimator->id);
 }
 
+Json sharesJson(const std::vector<BeyondDepth>& shares) {
+    Json rows = Json::array();
+    for (const BeyondDepth& beyond : shares)
+        rows.push_back({{"depth", beyond.depth},
+                        {"beyond", jsonOf(beyond.share)},
+                        {"standardError", jsonOf(beyond.standardError)}});
+    return rows;
+}
+
 Json bouncesJson(const BounceFindings& bounces) {
     Json object;
     object["depth"] = bounces.depth;
@@ -92,11 +102,7 @@ Json bouncesJson(const BounceFindings& bounces) {
     object["byPatches"] = Json::array();
     if (bounces.patches)
         for (const double share : bounces.patches->beyond) object["byPatches"].push_back(jsonOf(share));
-    object["measured"] = Json::array();
-    for (const BeyondDepth& beyond : bounces.measured)
-        object["measured"].push_back({{"depth", beyond.depth},
-                                      {"beyond", jsonOf(beyond.share)},
-                                      {"standardError", jsonOf(beyond.standardError)}});
+    object["measured"] = sharesJson(bounces.measured);
     return object;
 }
 
@@ -178,13 +184,17 @@ std::string explanation(const RequirementsAnswer& answer, const SegmentIndex& in
 }
 
 std::string lostWords(const RequirementsAnswer& answer) {
-    std::string lost;
-    if (!answer.loses.empty()) lost = fmt::format("the plan {}", answer.loses);
-    const auto& missing = answer.bounces.missing;
-    if (missing && missing->depth == answer.plan.maxDepth && missing->share > answer.tolerance)
-        lost += fmt::format("{}more than {} scatterings, which are not followed, bring {} of it",
-                            lost.empty() ? "" : "; ", missing->depth, words::percent(missing->share));
-    return lost;
+    std::vector<std::string> lost;
+    if (!answer.loses.empty()) lost.push_back(fmt::format("the plan {}", answer.loses));
+    const auto add = [&](const std::optional<BeyondDepth>& missing, std::uint32_t followed,
+                         std::string_view what) {
+        if (!missing || missing->depth != followed || isEnough(*missing, answer.tolerance)) return;
+        lost.push_back(fmt::format("more than {} {}, which are not followed, bring {}", missing->depth, what,
+                                   shareWords(*missing, answer.tolerance)));
+    };
+    add(answer.specular.missing, answer.plan.maxSpecular, "mirror and glass events in a row");
+    add(answer.bounces.missing, answer.plan.maxDepth, "scatterings");
+    return fmt::format("{}", fmt::join(lost, "; "));
 }
 
 std::string lostWarning(const RequirementsAnswer& answer) {
@@ -264,6 +274,8 @@ Json requirementsJson(const RequirementsAnswer& answer, const SegmentIndex& inde
              {"by", std::string(kGrounds[static_cast<std::size_t>(requirement.ground)])},
              {"switchable", infoOf(requirement.id).kind != Switch::none},
              {"reason", requirement.reason}});
+    object["specular"] = {{"events", answer.specular.required},
+                          {"measured", sharesJson(answer.specular.measured)}};
     object["bounces"] = bouncesJson(answer.bounces);
     object["complete"] = isPlanned(answer);
     object["plan"] = isPlanned(answer) ? planJson(answer.plan, index) : Json();

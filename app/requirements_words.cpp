@@ -187,9 +187,13 @@ std::string adviceLacks(const AppState& state) {
     const RequirementsAnswer* planned = plannedOf(state);
     if (!planned) return {};
     if (!planned->loses.empty()) return told(fmt::format("This plan {}.", planned->loses));
-    const auto& missing = planned->bounces.missing;
-    const bool known = missing && missing->depth == planned->plan.maxDepth && missing->share > kSeen;
-    return known ? say("It leaves out {:.2g} % of the light.", 100.0 * missing->share) : std::string();
+    const auto shareOf = [](const std::optional<BeyondDepth>& missing, std::uint32_t followed) {
+        return missing && missing->depth == followed ? missing->share : 0.0;
+    };
+    const double share = shareOf(planned->bounces.missing, planned->plan.maxDepth) +
+                         shareOf(planned->specular.missing, planned->plan.maxSpecular);
+    return share > kSeen ? say("It leaves out {:.2g} % of the light.", 100.0 * std::min(1.0, share))
+                         : std::string();
 }
 
 std::string forcedWords(const AppState& state) {

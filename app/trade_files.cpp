@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "app/trade_json.h"
-#include "lessons/atomic_file.h"
 
 namespace halfdisk {
 namespace {
@@ -32,10 +31,10 @@ TradeCell cellFrom(const fs::path& file, const Json& json) {
     for (std::size_t i = 0; i < setting.params.size(); ++i) {
         const ParamInfo& info = setting.estimator->params[i];
         const double most = info.choices.empty() ? info.most : static_cast<double>(info.choices.size()) - 1.0;
-        if (!(setting.params[i] >= info.least && setting.params[i] <= most)) throw DamagedTradeFile();
+        if (!(setting.params[i] >= info.least && setting.params[i] <= most)) failDamaged(file);
     }
     setting.maxDepth = json.at("depth").get<std::uint32_t>();
-    setting.facets = amountFrom(json.at("facets"));
+    setting.facets = json.at("facets").get<double>();
     const auto index = json.at("index").get<unsigned>();
     if (index >= kIndexMethods.size()) refuse(fmt::format("the index {} is unknown", index));
     setting.index = static_cast<IndexMethod>(index);  // with it the precision
@@ -43,29 +42,25 @@ TradeCell cellFrom(const fs::path& file, const Json& json) {
     cell.complete = json.at("complete").get<bool>();
     cell.refusal = json.at("refusal").get<std::string>();
     if (!cell.measured()) return cell;
-    cell.passes = countFrom(json.at("passes"));
-    cell.groups = countFrom(json.at("groups"));
-    cell.rays = countFrom(json.at("rays"));
-    cell.cut = countFrom(json.at("cut"));
-    cell.nonFinite = countFrom(json.at("nonFinite"));
-    cell.preparationSeconds = amountFrom(json.at("preparationSeconds"));
-    cell.seconds = amountFrom(json.at("seconds"));
-    // Older folders do not know these.
-    cell.secondsError = amountFrom(json.value("secondsError", Json(0.0)));
-    cell.paceSeconds = amountFrom(json.value("paceSeconds", Json(0.0)));
-    cell.unseen = amountFrom(json.value("unseen", Json(0.0)));
+    cell.passes = json.at("passes").get<std::uint64_t>();
+    cell.groups = json.at("groups").get<std::uint64_t>();
+    cell.rays = json.at("rays").get<std::uint64_t>();
+    cell.cut = json.at("cut").get<std::uint64_t>();
+    cell.nonFinite = json.at("nonFinite").get<std::uint64_t>();
+    cell.preparationSeconds = json.at("preparationSeconds").get<double>();
+    cell.seconds = json.at("seconds").get<double>();
+    cell.secondsError = json.at("secondsError").get<double>();
+    cell.paceSeconds = json.at("paceSeconds").get<double>();
+    cell.unseen = numberOrNan(json.at("unseen"));
     cell.statistics.variance = uncertainFrom(json.at("variance"));
     cell.statistics.bias2 = uncertainFrom(json.at("bias2"));
     cell.statistics.noise = numberOrNan(json.at("noise"));
     cell.statistics.mse = uncertainFrom(json.at("groupMse"));
-    cell.statistics.mean = numberFrom(json.at("mean"));
-    if (cell.passes == 0 || cell.groups == 0 || !(cell.statistics.variance.value >= 0.0) ||
-        std::isnan(cell.statistics.bias2.value))
-        throw DamagedTradeFile();
+    cell.statistics.mean = numberOrNan(json.at("mean"));
     for (const Json& level : json.at("levels"))
-        cell.levels.push_back({amountFrom(level.at(0)),
+        cell.levels.push_back({level.at(0).get<double>(),
                                {numberOrNan(level.at(1)), numberOrNan(level.at(2))},
-                               level.size() > 3 ? countFrom(level.at(3)) : 0});
+                               level.at(3).get<std::uint64_t>()});
     if (!json.at("exponent").is_null()) cell.exponent = uncertainFrom(json.at("exponent"));
     return cell;
 }
@@ -82,16 +77,16 @@ struct CellFile {
 CellFile readCellFile(const fs::path& file) {
     return readTradeFile(file, [&](const Json& json) {
         const Json& truth = json.at("truth");
-        const std::uint64_t number = countFrom(json.at("number"));
+        const std::uint64_t number = json.at("number").get<std::uint64_t>();
         const Json& names = json.at("question").at("settings");
         if (number >= names.size() || names[number] != json.at("cell").at("name") ||
             file.filename() != cellName(number))
-            throw DamagedTradeFile();
+            failDamaged(file);
         return CellFile{json.at("question"),
-                        {amountFrom(truth.at("light")), amountFrom(truth.at("relativeError")),
+                        {truth.at("light").get<double>(), truth.at("relativeError").get<double>(),
                          truth.at("exact").get<bool>(), json.at("question").at("depth").get<std::uint32_t>()},
                         truth.at("reference").get<std::string>(),
-                        amountFrom(json.at("target")),
+                        json.at("target").get<double>(),
                         number,
                         cellFrom(file, json.at("cell"))};
     });
@@ -172,7 +167,7 @@ void writeCell(const fs::path& folder, const TradeFolder& trade, std::size_t num
                      {"reference", trade.referenceWords}};
     json["number"] = number;
     json["cell"] = cellJson(trade.cells.at(number));
-    writeFileAtomically(folder / "cells" / cellName(number), json.dump(1) + '\n');
+    writeTradeFile(folder / "cells" / cellName(number), std::move(json), 1);
 }
 
 TradeFolder mergedFolders(const std::vector<fs::path>& folders) {

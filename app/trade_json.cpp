@@ -6,29 +6,27 @@
 #include <fstream>
 #include <iterator>
 
+#include "app/fingerprint.h"
+#include "lessons/atomic_file.h"
+
 namespace halfdisk {
+namespace {
 
-double numberFrom(const Json& json) {
-    constexpr double kMost = 1e150;
-    const double number = json.get<double>();
-    if (!(std::abs(number) <= kMost)) throw DamagedTradeFile();
-    return number;
+constexpr const char* kFingerprint = "fingerprint";
+
+std::string textOf(const std::filesystem::path& file) {
+    if (std::filesystem::is_directory(file))
+        throw InputError(file.string(), "is a folder, expected a file that halfdisk trade wrote");
+    std::ifstream stream(file, std::ios::binary);
+    std::string text(std::istreambuf_iterator<char>(stream), {});
+    if (!stream) throw InputError(file.string(), "cannot be read, expected a file that halfdisk trade wrote");
+    return text;
 }
 
-double amountFrom(const Json& json) {
-    const double amount = numberFrom(json);
-    if (amount < 0.0) throw DamagedTradeFile();
-    return amount;
-}
-
-std::uint64_t countFrom(const Json& json) {
-    constexpr std::uint64_t kMost = std::uint64_t{1} << 53;
-    if (!json.is_number_unsigned() || json.get<std::uint64_t>() > kMost) throw DamagedTradeFile();
-    return json.get<std::uint64_t>();
-}
+}  // namespace
 
 double numberOrNan(const Json& json) {
-    return json.is_null() ? std::nan("") : numberFrom(json);
+    return json.is_null() ? std::nan("") : json.get<double>();
 }
 
 Json uncertainJson(const Uncertain& number) {
@@ -48,23 +46,28 @@ Json pictureJson(const Picture& picture) {
 Picture pictureFrom(const Json& json) {
     Picture picture;
     for (const Json& pixel : json)
-        picture.push_back({numberFrom(pixel.at(0)), numberFrom(pixel.at(1)), numberFrom(pixel.at(2))});
+        picture.push_back({pixel.at(0).get<double>(), pixel.at(1).get<double>(), pixel.at(2).get<double>()});
     return picture;
-}
-
-std::string textOfTradeFile(const std::filesystem::path& file) {
-    if (std::filesystem::is_directory(file))
-        throw InputError(file.string(), "is a folder, expected a file that halfdisk trade wrote");
-    std::ifstream stream(file, std::ios::binary);
-    std::string text(std::istreambuf_iterator<char>(stream), {});
-    if (!stream) throw InputError(file.string(), "cannot be read, expected a file that halfdisk trade wrote");
-    return text;
 }
 
 void failDamaged(const std::filesystem::path& file) {
     throw InputError(file.string(),
                      "is damaged, or not what halfdisk trade wrote; without this file the others are of use: "
                      "delete it, and what it held is measured again by the command that wrote it");
+}
+
+void writeTradeFile(const std::filesystem::path& file, Json json, int indent) {
+    json.erase(kFingerprint);
+    json[kFingerprint] = fingerprintOf(json.dump());
+    writeFileAtomically(file, json.dump(indent) + '\n');
+}
+
+Json unchangedFrom(const std::filesystem::path& file) {
+    Json json = Json::parse(textOf(file));
+    const std::string fingerprint = json.at(kFingerprint).get<std::string>();
+    json.erase(kFingerprint);
+    if (fingerprintOf(json.dump()) != fingerprint) failDamaged(file);
+    return json;
 }
 
 std::string differenceOf(const Json& here, const Json& asked) {

@@ -10,38 +10,29 @@
 
 namespace halfdisk {
 
-/// Thrown by what follows where a file holds what halfdisk trade does not write.
-struct DamagedTradeFile {};
-
-/// A number, finite, whose square is a number too.
-double numberFrom(const Json& json);
-/// Not below zero.
-double amountFrom(const Json& json);
-/// From 0 to 2^53.
-std::uint64_t countFrom(const Json& json);
-/// The same, or null, which is NaN.
+/// Null is NaN.
 double numberOrNan(const Json& json);
 Json uncertainJson(const Uncertain& number);
 Uncertain uncertainFrom(const Json& json);
 Json pictureJson(const Picture& picture);
 Picture pictureFrom(const Json& json);
 
-/// Throws InputError, with the file's name, if `file` can't be read.
-std::string textOfTradeFile(const std::filesystem::path& file);
-
 /// Throws InputError, with the file's name.
 [[noreturn]] void failDamaged(const std::filesystem::path& file);
 
-/// `read` of a file that holds JSON. Throws InputError with the file's name if it does not, or lacks what
-/// `read` asks for.
+/// What a file holds, if its fingerprint is right. Throws InputError with its name, and Json::exception.
+Json unchangedFrom(const std::filesystem::path& file);
+
+/// Adds a fingerprint of its text, and writes it. Throws as writeFileAtomically does.
+void writeTradeFile(const std::filesystem::path& file, Json json, int indent = -1);
+
+/// `read` of a file that writeTradeFile wrote and nobody has changed since. Throws InputError with the file's
+/// name if it is another one, or lacks what `read` asks for.
 template <class Read>
 auto readTradeFile(const std::filesystem::path& file, const Read& read) {
-    const std::string text = textOfTradeFile(file);
     try {
-        return read(Json::parse(text));
+        return read(unchangedFrom(file));
     } catch (const Json::exception&) {
-        failDamaged(file);
-    } catch (const DamagedTradeFile&) {
         failDamaged(file);
     }
 }

@@ -63,7 +63,8 @@ TradeReference fromJson(const fs::path& file, const Json& asked) {
         const Json json = Json::parse(bytesOf(file));
         const Json& errors = json.at("standardError");
         reference.mean = pixelsFrom(json.at("mean"));
-        if (std::any_of(errors.begin(), errors.end(), [](const Json& error) { return error.is_null(); }))
+        if (!errors.is_array() || errors.size() != reference.mean.size() ||
+            std::any_of(errors.begin(), errors.end(), [](const Json& error) { return error.is_null(); }))
             throw InputError(file.string(),
                              "has pixels without standard error, expected two samples or more");
         reference.standardError = pixelsFrom(errors);
@@ -90,8 +91,11 @@ TradeReference referenceFromFile(const fs::path& file, const AskedPicture& asked
             file.string(),
             fmt::format("has {} pixels, expected {} as is asked (--width, --height)", pixels, asked.pixels));
     double squares = 0.0;
-    for (const Rgb& pixel : reference.mean)
+    for (const Rgb& pixel : reference.mean) {
         if (!isFinite(pixel)) throw InputError(file.string(), "has a pixel that is no number");
+        if (std::min({pixel.x, pixel.y, pixel.z}) < 0.0)
+            throw InputError(file.string(), "has a pixel below zero, expected light");
+    }
     for (const Rgb& error : reference.standardError)
         squares += glm::dot(error, error) / (3.0 * static_cast<double>(pixels));
     const double light = reference.light();

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/trade_json.h"
-#include "lessons/atomic_file.h"
 
 namespace halfdisk {
 namespace {
@@ -56,7 +55,7 @@ std::optional<TradeReference> readReference(const fs::path& folder, const Json& 
         requireQuestion(file, json.at("question"), question);
         TradeReference reference;
         reference.how = json.at("how").get<std::string>();
-        reference.relativeError = amountFrom(json.at("relativeError"));
+        reference.relativeError = json.at("relativeError").get<double>();
         reference.pixels = json.at("pixels").get<std::vector<std::uint32_t>>();
         reference.mean = pictureFrom(json.at("mean"));
         reference.standardError = pictureFrom(json.at("standardError"));
@@ -75,7 +74,7 @@ void writeReference(const fs::path& folder, const Json& question, const TradeRef
     json["mean"] = pictureJson(reference.mean);
     json["standardError"] = pictureJson(reference.standardError);
     json["groups"] = picturesJson(reference.groups);
-    writeFileAtomically(wholeFile(folder), json.dump() + '\n');
+    writeTradeFile(wholeFile(folder), std::move(json));
     std::error_code failed;
     fs::remove(begunFile(folder), failed);
 }
@@ -89,16 +88,16 @@ BegunRun readBegunReference(const fs::path& folder, const Json& question, std::u
         BegunRun begun;
         begun.estimator = json.at("estimator").get<std::string>();
         GroupedPasses& run = begun.run;
-        run.groups.each = countFrom(json.at("each"));
+        run.groups.each = json.at("each").get<std::uint64_t>();
         run.groups.means = picturesFrom(json.at("groups"));
-        run.seconds = amountFrom(json.at("seconds"));
-        run.counts.rays = countFrom(json.at("rays"));
-        run.counts.paths = countFrom(json.at("paths"));
-        run.counts.cut = countFrom(json.at("cut"));
-        run.counts.nonFinite = countFrom(json.at("nonFinite"));
+        run.seconds = json.at("seconds").get<double>();
+        run.counts.rays = json.at("rays").get<std::uint64_t>();
+        run.counts.paths = json.at("paths").get<std::uint64_t>();
+        run.counts.cut = json.at("cut").get<std::uint64_t>();
+        run.counts.nonFinite = json.at("nonFinite").get<std::uint64_t>();
         requireSizes(file, run.groups.means, pixels);
         if (run.groups.passes() == 0 || run.groups.means.size() >= PassGroups::kMost ||
-            run.groups.passes() != countFrom(json.at("passes")))
+            run.groups.passes() != json.at("passes").get<std::uint64_t>())
             failDamaged(file);
         return begun;
     });
@@ -117,7 +116,7 @@ void writeBegunReference(const fs::path& folder, const Json& question, const Beg
     json["cut"] = run.counts.cut;
     json["nonFinite"] = run.counts.nonFinite;
     json["groups"] = picturesJson(run.groups.means);
-    writeFileAtomically(begunFile(folder), json.dump() + '\n');
+    writeTradeFile(begunFile(folder), std::move(json));
 }
 
 std::vector<std::string> copyReference(const std::vector<fs::path>& folders, const fs::path& to,

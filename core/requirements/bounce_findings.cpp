@@ -102,7 +102,7 @@ std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts
         reason += "; ";
         if (missing->depth == kMaxDepthInfo.most && !isEnough(*missing, left))
             reason += words::joined("no more than ", std::to_string(missing->depth),
-                                    " are followed: some light is missing; ");
+                                    " are followed: ", lackWords(*missing, left), "; ");
         if (missing->depth < bounces.depth && !isEnough(*missing, left))
             reason +=
                 words::joined("going on as they fall, ", std::to_string(bounces.depth), " are enough; ");

@@ -4,6 +4,7 @@
 
 #include "core/requirements/bounce_findings.h"
 #include "core/requirements/specular_findings.h"
+#include "core/requirements/way_search.h"
 #include "core/requirements/words.h"
 
 namespace halfdisk {
@@ -30,12 +31,19 @@ std::string byRays(const RequirementsAnswer& answer, const std::string& conclusi
     return conclusion + "; rays to " + words::percent(answer.tolerance) + " noise: " + raysOf(answer);
 }
 
-/// Fewest rays of the ways tried for which `is` says yes; none: nobody tried.
+/// Where there is nothing to compare.
+std::string agreeing(const RequirementsAnswer& answer) {
+    const bool lacking = std::any_of(answer.candidates.begin(), answer.candidates.end(),
+                                     [](const Candidate& candidate) { return candidate.lacks; });
+    return lacking ? "ways that bring as much light agree in this" : "all ways tried agree in this";
+}
+
+/// Fewest rays of the ways tried, that bring as much light, for which `is` says yes; none: nobody tried.
 template <class Is>
 std::optional<double> leastRays(const RequirementsAnswer& answer, const Is& is) {
     std::optional<double> least;
     for (const Candidate& candidate : answer.candidates)
-        if (is(candidate)) {
+        if (!candidate.lacks && is(candidate)) {
             const double rays = candidate.pilot.raysTo(answer.tolerance);
             if (!least || rays < *least) least = rays;
         }
@@ -45,6 +53,15 @@ std::optional<double> leastRays(const RequirementsAnswer& answer, const Is& is) 
 std::string fewer(const std::string& way, double times) {
     if (times < 1.05) return joined(way, " takes about as many rays to the same noise");
     return joined(way, " takes ", words::rounded(times), " times fewer rays to the same noise");
+}
+
+/// Whether a way for which `is` says yes carries all light.
+template <class Is>
+bool isAllCarried(const RequirementsQuestion& question, const RequirementsAnswer& answer, const Is& is) {
+    const auto ways = allWays();
+    return std::any_of(ways.begin(), ways.end(), [&](const Way& way) {
+        return is(way) && isComplete(way, question.index, question.sensor, answer.plan.maxDepth);
+    });
 }
 
 template <class Is>
@@ -75,8 +92,8 @@ std::string lightSamplingReason(const RequirementsAnswer& answer) {
     if (answer.facts.traits.delta && !answer.plan.way.lightPass)
         return "lights without size can't be met by chance: they must be asked";
     const auto asks = [&](const Candidate& candidate) { return candidate.plan.way.lightSampling; };
-    return byRays(answer, orElse(factor(answer, asks, "asking lights", "not asking lights"),
-                                 "all ways tried agree in this"));
+    return byRays(answer,
+                  orElse(factor(answer, asks, "asking lights", "not asking lights"), agreeing(answer)));
 }
 
 std::string misReason(const RequirementsAnswer& answer) {
@@ -94,8 +111,7 @@ std::string misReason(const RequirementsAnswer& answer) {
     if (answer.plan.way.estimator == "closed-form")
         return "a formula gives all the light: nothing is weighed";
     const auto weighs = [](const Candidate& candidate) { return candidate.plan.way.mis; };
-    return orElse(factor(answer, weighs, "weighing two ways", "one way alone"),
-                  answer.plan.way.mis ? "the other ways can't do without" : "all ways tried agree in this");
+    return orElse(factor(answer, weighs, "weighing two ways", "one way alone"), agreeing(answer));
 }
 
 std::string lightPassReason(const RequirementsQuestion& question, const RequirementsAnswer& answer) {
@@ -106,6 +122,10 @@ std::string lightPassReason(const RequirementsQuestion& question, const Requirem
                "find it";
     if (answer.plan.maxDepth == 0 && !answer.plan.way.lightPass)
         return "light is not scattered before it arrives";
+    if (has.delta && forcedTo(question, RequirementId::lightSampling) == 0u)
+        return "lights without size are not asked, and paths from the sensor never meet them";
+    if (!isAllCarried(question, answer, [](const Way& way) { return !way.lightPass; }))
+        return "paths from the sensor don't find all light";
     const auto sends = [](const Candidate& candidate) { return candidate.plan.way.lightPass; };
     if (!has.specular || !question.forced.empty() || answer.candidates.size() > 1)
         return orElse(
@@ -115,15 +135,17 @@ std::string lightPassReason(const RequirementsQuestion& question, const Requirem
     return "paths from the sensor find all light";
 }
 
-std::string photonReason(const RequirementsAnswer& answer) {
-    const SceneTraits& has = answer.facts.traits;
-    const bool only = has.delta && has.specular && has.scattering;
-    if (answer.plan.way.photonPass && !only)
-        return "storing photons blurs light that other ways carry as well";
+std::string photonReason(const RequirementsQuestion& question, const RequirementsAnswer& answer) {
+    const auto storing = [](const Way& way) { return way.photonPass; };
+    const bool others =
+        isAllCarried(question, answer, [&](const Way& way) { return !storing(way) && way.unbiased; });
     if (answer.plan.way.photonPass)
-        return "no way without stored photons carries all paths: caustics of lights without size, seen in "
-               "mirrors or through glass";
-    return "ways without bias carry all light: storing photons would blur it";
+        return others ? "storing photons blurs light that other ways carry as well"
+                      : "no way without stored photons carries all paths: caustics of lights without size, "
+                        "seen in mirrors or through glass";
+    if (others) return "ways without bias carry all light: storing photons would blur it";
+    return isAllCarried(question, answer, storing) ? "only stored photons would carry all light"
+                                                   : "no way carries all light, storing photons neither";
 }
 
 std::string rouletteReason(const RequirementsAnswer& answer) {
@@ -134,7 +156,8 @@ std::string rouletteReason(const RequirementsAnswer& answer) {
     for (const Candidate& candidate : answer.candidates)
         if (candidate.plan.way == answer.plan.way)
             (ends(candidate) ? on : off) = candidate.pilot.raysTo(answer.tolerance);
-    if (!on || !off) return "was not tried";
+    if (!on) return "ending paths by chance was not tried";
+    if (!off) return "following paths to their end was not tried";
     return *on < *off ? fewer("ending paths by chance", *off / *on)
                       : fewer("following paths to their end", *on / *off);
 }
@@ -185,7 +208,7 @@ std::vector<Requirement> requirementRows(const RequirementsQuestion& question,
             facts.traits.delta ? Ground::proof : Ground::measurement);
     planned(RequirementId::mis, misReason(answer), facts.traits.area ? Ground::measurement : Ground::proof);
     planned(RequirementId::lightPass, lightPassReason(question, answer));
-    planned(RequirementId::photonPass, photonReason(answer), Ground::proof);
+    planned(RequirementId::photonPass, photonReason(question, answer), Ground::proof);
     planned(RequirementId::roulette, rouletteReason(answer));
     planned(RequirementId::index, indexReason(question), Ground::proof);
     add(RequirementId::colour, !facts.grey,

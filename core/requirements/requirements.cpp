@@ -86,11 +86,16 @@ void refuseForced(const RequirementsQuestion& question) {
     }
 }
 
-/// Whether the plan's own trial gave up paths between mirrors or in glass.
-bool cutsPaths(const RequirementsAnswer& answer) {
-    return std::any_of(answer.candidates.begin(), answer.candidates.end(), [](const Candidate& candidate) {
-        return candidate.chosen && candidate.pilot.cut > 0;
-    });
+std::optional<BeyondDepth> missingChains(const RequirementsQuestion& question, const Sensor& small,
+                                         RequirementsAnswer& answer) {
+    if (!answer.facts.traits.specular || !hasLight(answer)) return std::nullopt;
+    const RequirementsQuestion asked{.index = question.index,
+                                     .sensor = small,
+                                     .tolerance = question.tolerance,
+                                     .seed = question.seed,
+                                     .stop = question.stop,
+                                     .effort = question.effort};
+    return beyondEvents(asked, answer.specular, answer.plan.maxSpecular, answer.rays);
 }
 
 /// Chooses the way, from what is known of the scene.
@@ -105,11 +110,8 @@ void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer
         answer.plan.index = *index != 0 ? IndexMethod::tree : IndexMethod::bruteForce;
     cutAt(forcedTo(asked, RequirementId::bounces).value_or(answer.bounces.required), answer.bounces);
     const Sensor small = pilotSensor(asked.sensor);
+    answer.specular.missing = missingChains(asked, small, answer);
     searchWay(asked, small, answer);
-    if (answer.loses.empty() && answer.plan.maxSpecular < answer.specular.required && cutsPaths(answer))
-        answer.loses =
-            words::joined("follows ", std::to_string(answer.plan.maxSpecular),
-                          " mirror and glass events in a row, of ", std::to_string(answer.specular.required));
     answer.requirements = requirementRows(asked, answer);
 }
 

@@ -2,7 +2,8 @@
 // in it say, and the plan that does just that.
 //
 // What is left out because it can't be there is left out by proof. Between ways that all carry everything
-// the choice is by measurement. Only the number of bounces drops light, and says how much.
+// the choice is by measurement. Only the numbers of bounces and of mirror and glass events drop light, and
+// say how much.
 #pragma once
 
 #include <stdexcept>
@@ -39,7 +40,7 @@ struct PathType {
     bool exists = false;
 };
 
-/// Light that is scattered more often than D times.
+/// Light that is scattered more often than so many times, or meets more mirrors and glass in a row.
 struct BeyondDepth {
     std::uint32_t depth = 0;
     double share = 0.0;          ///< of all light at the sensor
@@ -49,9 +50,10 @@ struct BeyondDepth {
 /// What is known of chains of mirror and glass events.
 struct SpecularFindings {
     std::uint32_t required = 0;
-    /// By paths, ascending; `depth` counts events in a row. Empty: geometry bounds them, or what mirrors
-    /// swallow.
+    /// By paths, ascending; `depth` counts events in a row. Empty: geometry bounds them, or there is no
+    /// light.
     std::vector<BeyondDepth> measured;
+    std::optional<BeyondDepth> missing{};  ///< what the plan's number leaves out, as far as it was measured
 };
 
 /// What is known of the bounces, from three sides.
@@ -73,6 +75,7 @@ struct Candidate {
     Plan plan;
     Pilot pilot;
     bool chosen = false;
+    bool lacks = false;  ///< brings surely less light than another that loses some
 };
 
 /// No way of carrying light does what is forced.

@@ -6,13 +6,6 @@
 #include "core/requirements/words.h"
 
 namespace halfdisk {
-namespace {
-
-struct Difference {
-    double mean, standardError;
-};
-
-/// Of two runs with the same passes.
 Difference differenceOf(const Pilot& all, const Pilot& upTo) {
     double mean = 0.0, squares = 0.0;
     const double n = static_cast<double>(all.totals.size());
@@ -24,6 +17,18 @@ Difference differenceOf(const Pilot& all, const Pilot& upTo) {
     return {mean, std::sqrt(squares / (n - 1.0) / n)};
 }
 
+namespace {
+
+/// Differences of runs need less than a picture: fewer photons, more passes.
+ParamValues shortParams(const Way& way, const SegmentIndex& index) {
+    constexpr double kPhotons = 10000.0;
+    const EstimatorInfo& info = *findEstimator(way.estimator);
+    ParamValues params = paramsOf(way, index, 4);
+    for (std::size_t i = 0; i < info.params.size(); ++i)
+        if (info.params[i].name == "photons") params[i] = kPhotons;
+    return params;
+}
+
 }  // namespace
 
 std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32_t maxSpecular) {
@@ -31,7 +36,7 @@ std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32
         for (const Way& way : allWays())
             if (way.estimator == id && way.mis == mis &&
                 isComplete(way, question.index, question.sensor, deepest))
-                return Series{{findEstimator(id), paramsOf(way, question.index, 4), deepest, maxSpecular,
+                return Series{{findEstimator(id), shortParams(way, question.index), deepest, maxSpecular,
                                IndexMethod::automatic, way},
                               deepest};
         return std::nullopt;
@@ -72,6 +77,10 @@ std::string shareWords(const BeyondDepth& beyond, double tolerance) {
     if (isEnough(beyond, tolerance))
         text += words::joined(", with two standard errors added ", words::percent(mayMiss(beyond)));
     return text;
+}
+
+std::string_view lackWords(const BeyondDepth& beyond, double tolerance) {
+    return beyond.share > tolerance ? "some light is missing" : "some light may be missing";
 }
 
 }  // namespace halfdisk

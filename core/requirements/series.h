@@ -21,6 +21,13 @@ struct Tail {
     double standardError = 0.0;
 };
 
+/// Of the totals of two runs with the same passes.
+struct Difference {
+    double mean = 0.0, standardError = 0.0;
+};
+
+Difference differenceOf(const Pilot& all, const Pilot& upTo);
+
 /// As if what each third of the depth brings went on to fall as the last two do, but by no less than
 /// `mostRatio`: what walls may keep over a third. The three runs have the same passes.
 Tail tailOf(const Pilot& all, const Pilot& twoThirds, const Pilot& third, double mostRatio);
@@ -44,5 +51,8 @@ inline bool isEnough(const BeyondDepth& beyond, double tolerance) {
 
 /// `0.44 % (± 0.23 %) of the light`, and, where that is what decided, what it was taken for.
 std::string shareWords(const BeyondDepth& beyond, double tolerance);
+
+/// That light is missing, or may be, where it is not enough.
+std::string_view lackWords(const BeyondDepth& beyond, double tolerance);
 
 }  // namespace halfdisk

@@ -42,8 +42,7 @@ class Search {
             for (const Way& way : allWays()) {
                 tell(kBounceShare + (1.0 - kBounceShare) * looked++ / static_cast<double>(allWays().size()),
                      way.estimator);
-                const bool complete = isComplete(way, question_.index, question_.sensor, depth());
-                const int rank = complete ? (way.unbiased ? 0 : 1) : 2;
+                const int rank = isWhole(way) ? (way.unbiased ? 0 : 1) : 2;
                 if (rank == round && isAllowed(way, question_, answer_.facts)) tryWay(way);
             }
             if (!answer_.candidates.empty()) break;
@@ -54,7 +53,7 @@ class Search {
         takeBest();
         tryOtherRoulette();
         if (answer_.plan.way.estimator == "closed-form") return;
-        if (!isComplete(answer_.plan.way, question_.index, question_.sensor, depth()))
+        if (!isWhole(answer_.plan.way))
             answer_.loses = words::joined(
                 "carries ", pathsOf(answer_.plan.way, question_.index.scene(), question_.sensor), ", of ",
                 allPaths(question_.index.scene()));
@@ -62,6 +61,8 @@ class Search {
 
  private:
     std::uint32_t depth() const { return answer_.bounces.depth; }
+
+    bool isWhole(const Way& way) const { return isComplete(way, question_.index, question_.sensor, depth()); }
 
     void tell(double share, std::string_view what) const {
         if (question_.told) question_.told(share, what);
@@ -87,11 +88,8 @@ class Search {
         const Problem whole{question_.index,  question_.sensor, plan.maxDepth,
                             plan.maxSpecular, question_.seed,   question_.stop};
         if (plan.estimator->id == "closed-form") {
-            // Its refusal looks at every pixel.
-            if (std::string why = refusalOf(*plan.estimator, whole, plan.params); !why.empty()) {
-                refusal_ = why;
-                return;
-            }
+            // Its refusal looks at every pixel. It is no news: a formula is not expected to do.
+            if (!refusalOf(*plan.estimator, whole, plan.params).empty()) return;
         }
         // Light that comes through mirrors and glass is rare and bright: few rays don't show its noise.
         const bool rare = answer_.facts.traits.specular && answer_.facts.traits.area;
@@ -100,23 +98,31 @@ class Search {
         const double rays = question_.effort * (rare ? 400'000.0 : 80'000.0);
         try {
             answer_.candidates.push_back(
-                {plan, pilot(problem, plan, {.rays = static_cast<std::uint64_t>(rays)}), false});
+                {plan, pilot(problem, plan, {.rays = static_cast<std::uint64_t>(rays)})});
             answer_.rays += answer_.candidates.back().pilot.rays;
         } catch (const std::invalid_argument& why) {
             refusal_ = why.what();
         }
     }
 
+    /// Of ways that lose light the ones that bring most, as far as noise shows it, and of those the cheapest.
     void takeBest() {
         // Where so few rays do, they are no cost: then the simplest way is the best.
         constexpr double kFewRays = 16.0;  // for each pixel
+        constexpr double kSure = 2.0;      // standard errors
         const auto rays = [&](const Candidate& candidate) {
             return std::max(candidate.pilot.raysTo(answer_.tolerance),
                             kFewRays * static_cast<double>(candidate.pilot.pixels));
         };
-        Candidate* best = &answer_.candidates.front();
-        for (Candidate& candidate : answer_.candidates)
-            if (rays(candidate) < 0.98 * rays(*best)) best = &candidate;
+        double least = 0.0;  // light that is surely brought
+        for (const Candidate& candidate : answer_.candidates)
+            if (!isWhole(candidate.plan.way))
+                least = std::max(least, candidate.pilot.mean - kSure * candidate.pilot.meanError);
+        Candidate* best = nullptr;
+        for (Candidate& candidate : answer_.candidates) {
+            candidate.lacks = candidate.pilot.mean + kSure * candidate.pilot.meanError < least;
+            if (!candidate.lacks && (!best || rays(candidate) < 0.98 * rays(*best))) best = &candidate;
+        }
         for (Candidate& candidate : answer_.candidates) candidate.chosen = &candidate == best;
         answer_.plan = best->plan;
     }

@@ -190,6 +190,45 @@ TEST_CASE("requirements: bounces that are forced away are told, and what is forc
     CHECK(nobody.err.find("(mis=on, light-sampling=off), expected other ones") != std::string::npos);
 }
 
+TEST_CASE("requirements: chains of mirrors that are not followed are told with their share and its error") {
+    const std::string tube = sceneFile("mirror_tube.toml"), room = shippedScene("mirror_room.toml");
+    const Json longest = asked({tube});
+    CHECK(longest["plan"]["specular"] == 1000);
+    const std::string lost = longest["loses"];
+    CHECK(lost.find("more than 1000 mirror and glass events in a row, which are not followed, bring ") == 0);
+    const Json& beyond = longest["specular"]["measured"].back();
+    CHECK(std::stod(lost.substr(lost.find("bring ") + 6)) ==
+          doctest::Approx(100.0 * beyond["beyond"].get<double>()).epsilon(0.06));
+    CHECK(lost.find("(\u00b1 ") != std::string::npos);
+    CHECK(asked({room})["loses"].is_null());
+    CHECK(asked({room, "--force", "specular=off"})["loses"].get<std::string>().find(
+              "more than 0 mirror and glass events in a row, which are not followed, bring ") == 0);
+}
+
+TEST_CASE("requirements: reasons are true, whatever is forced away") {
+    // Point light, mirrors and an eye: only photons carry all light.
+    const std::string disk = shippedScene("glass_disk_mirror.toml");
+    const auto reasonOf = [](const Json& answer, const char* id) {
+        return rowOf(answer, id)["reason"].get<std::string>();
+    };
+    for (const char* forced : {"photon-pass=off", "light-pass=off"}) {
+        const Json answer = asked({disk, "--force", forced});
+        CHECK(answer["loses"].is_string());
+        CHECK(reasonOf(answer, "photon-pass") == "only stored photons would carry all light");
+        CHECK(reasonOf(answer, "light-pass").find("find all light") == std::string::npos);
+    }
+    // Of ways that lose light the one that loses least.
+    CHECK(asked({disk, "--force", "photon-pass=off"})["plan"]["estimator"] == "bidirectional");
+    const Json unasked = asked({sceneFile("room.toml"), "--force", "light-sampling=off"});
+    CHECK(reasonOf(unasked, "light-pass") ==
+          "lights without size are not asked, and paths from the sensor never meet them");
+    CHECK(reasonOf(asked({shippedScene("diffuse_room.toml"), "--force", "roulette=on"}), "roulette") ==
+          "following paths to their end was not tried");
+    refused({"requirements", sceneFile("room.toml"), "--force", "light-sampling=off", "--force",
+             "light-pass=off"},
+            "no way of carrying light does what is forced (");
+}
+
 TEST_CASE("requirements: a share that chance measured is told with what it was taken for") {
     const Json answer = asked({shippedScene("mirror_room.toml")});
     const Json& beyond = answer["bounces"]["measured"].back();

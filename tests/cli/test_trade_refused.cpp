@@ -70,6 +70,27 @@ TEST_CASE("trade refused: sensors, parts and references") {
                  "expected --reference FILE, or another --sensor");
 }
 
+TEST_CASE("trade refused: pictures that can't be a reference") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "x.json", scene = shippedScene("mirror_room.toml");
+    REQUIRE(
+        runProgram({"eye", scene, "--width", "4", "--depth", "3", "--samples", "8", "-o", file}).exitCode ==
+        0);
+    const Json picture = Json::parse(readFile(file));
+    const auto checkFile = [&](const std::string& pointer, const Json& value, const std::string& message) {
+        Json changed = picture;
+        changed.at(Json::json_pointer(pointer)) = value;
+        std::ofstream(file) << changed;
+        checkRefused({"trade", scene, "--width", "4", "--depth", "3", "--rays", "100", "--reference", file},
+                     message);
+    };
+    checkFile("/standardError", nullptr, "has pixels without standard error");
+    checkFile("/standardError", Json::array(), "has pixels without standard error");
+    checkFile("/standardError/1", nullptr, "has pixels without standard error");
+    checkFile("/mean/0/1", -1.0, "has a pixel below zero");
+    checkFile("/mean/0/1", nullptr, "is not what halfdisk eye, profile or field wrote");
+}
+
 TEST_CASE("trade refused: folders that hold something else") {
     const TemporaryFolder folder;
     const std::string out = folder / "room";
@@ -115,21 +136,18 @@ TEST_CASE("trade refused: what a folder holds is not believed blindly") {
     const std::string cell = "cells/0001.json";
     for (const Json& value : {Json(0), Json(-1), Json(1.5), Json("x"), Json(nullptr)})
         checkDamaged(cell, "/cell/passes", value);
-    for (const char* key : {"preparationSeconds", "seconds", "paceSeconds", "secondsError", "unseen"})
+    for (const char* key : {"depth", "rays", "noise", "groupMse", "seconds", "unseen"})
         for (const Json& value : {Json(-1), Json(1e308), Json(nullptr)})
             checkDamaged(cell, std::string("/cell/") + key, value);
-    for (const char* key : {"variance", "bias2"})
-        checkDamaged(cell, std::string("/cell/") + key + "/1", 1e308);
     checkDamaged(cell, "/cell/params/0", 1e18);
-    checkDamaged(cell, "/cell/rays", -1);
     checkDamaged(cell, "/number", 0);
     checkDamaged(cell, "/number", 99);
-    checkDamaged(cell, "/truth/light", -1);
-    for (const Json& value : {Json(1e308), Json(nullptr), Json("x")}) {
-        checkDamaged("reference.json", "/groups/0/0/1", value);
-        checkDamaged("reference.json", "/mean/0/0", value);
-    }
-    checkDamaged("reference.json", "/groups/0", Json::array());
+    checkDamaged(cell, "/truth/light", 1e18);
+    checkDamaged(cell, "/target", 0.06);
+    checkDamaged(cell, "/fingerprint", "0123456789abcdef");
+    for (const char* place : {"/mean/0/0", "/standardError", "/relativeError", "/groups/0/0/1", "/groups/0"})
+        for (const Json& value : {Json(-1e-9), Json(1e308), Json(nullptr), Json("x")})
+            checkDamaged("reference.json", place, value);
     // A folder where a file should be.
     fs::remove(fs::path(out) / cell);
     fs::create_directory(fs::path(out) / cell);

@@ -4,6 +4,7 @@
 #include "core/render.h"
 #include "core/requirements/requirements.h"
 #include "core/requirements/series.h"
+#include "core/requirements/specular_findings.h"
 #include "rooms.h"
 #include "support.h"
 
@@ -84,6 +85,88 @@ TEST_CASE("requirements: chains in glass between mirrors are followed as far as 
         CHECK(robbed.share > 0.05);
         CHECK(robbed.sure > 4.0);
     }
+}
+
+namespace {
+
+/// A lamp at the far end of two mirrors that face each other, seen at an angle: all of its light comes by
+/// many mirrors, 85 of them in the middle of the picture.
+Scene mirrorTube(double reflectance) {
+    Scene scene;
+    addWall(scene, {0.0, 0.0}, {0.2, 0.0});
+    const std::uint32_t lamp = addWall(scene, {0.15, 20.0}, {0.05, 20.0});
+    scene.segments[lamp].emission = Rgb(4.0);
+    for (const auto& [a, b] : {std::pair(Vec2(0.2, 0.0), Vec2(0.2, 20.0)), {Vec2(0.0, 20.0), Vec2(0.0)}}) {
+        addWall(scene, a, b);
+        scene.materials.back() = Mirror{Rgb(reflectance)};
+    }
+    return scene;
+}
+
+}  // namespace
+
+TEST_CASE("requirements: chains between mirrors that absorb are followed as far as they bring light") {
+    const Scene scene = mirrorTube(0.9);
+    const SegmentIndex index(scene);
+    const Sensor sensor = EyeStrip{{{0.1, 1.5}, glm::normalize(Vec2(0.577, 1.0)), 10.0 * kPi / 180.0}, 4};
+    const RequirementsAnswer answer = requirementsOf({.index = index, .sensor = sensor});
+    // Of what sets out 0.9^44 < 1 % is left; but all that arrives has come by more of them.
+    CHECK(answer.specular.measured.front().depth == 44);
+    CHECK(answer.specular.measured.front().share > 0.5);
+    CHECK(answer.of(RequirementId::specular).ground == Ground::measurement);
+    const Problem problem{.index = index, .sensor = sensor, .seed = 5};
+    const auto upTo = [&](std::uint32_t events) {
+        Plan plan = answer.plan;
+        plan.maxSpecular = events;
+        return pilot(problem, plan, {.rays = 0, .leastPasses = 2000, .mostPasses = 2000});
+    };
+    const Pilot all = upTo(static_cast<std::uint32_t>(kMaxSpecularInfo.most));
+    const auto missing = [&](std::uint32_t events) { return shareBeyond(events, all, upTo(events)); };
+    const BeyondDepth planned = missing(answer.plan.maxSpecular), bound = missing(44);
+    CHECK(planned.share <= kInitialTolerance);
+    CHECK(bound.share - 4.0 * bound.standardError > 0.5);
+}
+
+// Unfolded, the lamps are half of a line at a height of 18.5 m, so that every angle above the horizontal
+// brings the same light, after 18.5 m / (0.2 m tan) mirrors: the lowest ones after more than are ever
+// followed.
+TEST_CASE("requirements: light of chains that are too long for any number of events is estimated, and told") {
+    Scene scene = mirrorTube(1.0);
+    for (const std::uint32_t matt : {0, 1}) scene.materials[matt] = Diffuse{Rgb(0.0)};
+    const SegmentIndex index(scene);
+    constexpr double kFan = 40.0 * kPi / 180.0;
+    const Sensor sensor = EyeStrip{{{0.1, 1.5}, {std::cos(kFan / 2.0), std::sin(kFan / 2.0)}, kFan}, 8};
+    const RequirementsAnswer answer = requirementsOf({.index = index, .sensor = sensor});
+    CHECK(answer.plan.maxSpecular == kMaxSpecularInfo.most);
+    for (const BeyondDepth& beyond : answer.specular.measured) {
+        const double truth = std::min(1.0, std::atan(18.5 / (0.2 * beyond.depth)) / kFan);
+        CAPTURE(beyond.depth);
+        CAPTURE(truth);
+        CHECK(std::abs(beyond.share - truth) < 4.0 * beyond.standardError);
+    }
+    const BeyondDepth& last = answer.specular.measured.back();
+    CHECK(last.depth == kMaxSpecularInfo.most);
+    CHECK(last.share > 4.0 * last.standardError);
+    CHECK(answer.of(RequirementId::specular).reason.find("some light is missing") != std::string::npos);
+}
+
+TEST_CASE("requirements: chains beyond the longest bring as much, path by path, as the last that ended") {
+    Pilot half, all;
+    half.totals = {1.0, 2.0, 3.0};
+    all.totals = {1.5, 2.5, 3.5};
+    half.cut = 50;
+    all.cut = 25;
+    CHECK(endlessChains(all, half).light == doctest::Approx(0.5));
+    CHECK(endlessChains(all, half).standardError == doctest::Approx(0.0));
+    all.cut = 10;
+    CHECK(endlessChains(all, half).light == doctest::Approx(0.5 * 10.0 / 40.0));
+    all.totals[0] += 0.9;
+    CHECK(endlessChains(all, half).light == doctest::Approx(0.8 * 10.0 / 40.0));
+    CHECK(endlessChains(all, half).standardError == doctest::Approx(0.3 * 10.0 / 40.0));
+    // None of them ended, so that nothing is known of what they bring.
+    all.cut = 50;
+    CHECK(endlessChains(all, half).light == 0.0);
+    CHECK(endlessChains(all, half).standardError == 0.0);
 }
 
 TEST_CASE("requirements: where no path tried is longer, the usual number of glass events does") {

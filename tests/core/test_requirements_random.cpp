@@ -86,7 +86,8 @@ void checkScene(std::uint64_t seed, Tally& tally) {
 
     // More scatterings than the plan's, so that what it leaves out would show if it were more than the
     // tolerance.
-    const Plan everything = everythingOn(index, sensor, answer.plan.maxDepth + 4, 64);
+    const Plan everything = everythingOn(index, sensor, answer.plan.maxDepth + 4,
+                                         static_cast<std::uint32_t>(kMaxSpecularInfo.most));
     Film plan = run(index, sensor, answer.plan, 11, 3000), truth = run(index, sensor, everything, 12, 1500);
     double z = worstZ(plan, truth);
     if (z > kRejected - 1.5) {

@@ -66,6 +66,12 @@ int runRequirements(const RequirementsTexts& texts) {
     const CostLimits limits{.rays = wholeArgument("--rays", texts.rays, kCostRays)};
     RequirementsAnswer answer;
     const bool planned = askRequirements(question, answer);
+    // The plan is of use while its costs are still being measured.
+    if (!texts.json)
+        writeOutput(fmt::format("{}, {}, tolerance {:g} %\n\n",
+                                scene.title.empty() ? texts.render.scene : scene.title,
+                                kSensorNames[sensor.index()], 100.0 * tolerance) +
+                    requirementsText(answer, index));
     std::optional<Costs> costs;
     if (texts.costs && planned) costs = costsAsked(question, answer, limits);
     const bool stopped = !planned || (costs && !costs->complete());
@@ -74,11 +80,8 @@ int runRequirements(const RequirementsTexts& texts) {
         object.update(requirementsJson(answer, index));
         if (costs) object["costs"] = costsJson(*costs, index);
         writeJson(object);
-    } else {
-        writeOutput(fmt::format("{}, {}, tolerance {:g} %\n\n",
-                                scene.title.empty() ? texts.render.scene : scene.title,
-                                kSensorNames[sensor.index()], 100.0 * tolerance) +
-                    requirementsText(answer, index) + (costs ? costsText(*costs) : ""));
+    } else if (costs) {
+        writeOutput(costsText(*costs));
     }
     if (stopped)
         writeError(planned ? fmt::format("stopped after {} of {} costs", costs->done, costs->pieces)

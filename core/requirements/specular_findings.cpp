@@ -63,12 +63,13 @@ class Chains {
 SpecularFindings findSpecular(const RequirementsQuestion& question, const SceneFacts& facts,
                               std::uint64_t& rays) {
     SpecularFindings found;
-    if (facts.longestChain || (facts.glass == 0 && facts.mostReflectance <= 0.0)) {
-        found.required = facts.longestChain.value_or(kUsual);
+    if (facts.longestChain && *facts.longestChain <= kMost) {
+        found.required = *facts.longestChain;
         return found;
     }
     const std::uint32_t least = leastOf(facts, question.tolerance);
     found.required = least;
+    if (facts.glass == 0 && facts.mostReflectance <= 0.0) return found;
     const auto series = seriesOf(question, least);
     if (!series || !(facts.traits.delta || facts.traits.area)) return found;
     Chains chains(question, *series, least, rays);

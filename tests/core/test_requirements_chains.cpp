@@ -150,6 +150,22 @@ TEST_CASE("requirements: light of chains that are too long for any number of eve
     CHECK(answer.of(RequirementId::specular).reason.find("some light is missing") != std::string::npos);
 }
 
+TEST_CASE("requirements: a kaleidoscope of more images than can be followed is measured") {
+    Scene scene;
+    addWall(scene, {2.2, -0.5}, {2.2, 0.5}, Rgb(0.5), Rgb(1.0));
+    for (const auto& [a, b] : {std::pair(Vec2(0.0), Vec2(2.0, 0.0)), {{2.0, 0.0105}, {0.0, 0.007}}}) {
+        addWall(scene, a, b);
+        scene.materials.back() = Mirror{Rgb(1.0)};
+    }
+    const SegmentIndex index(scene);
+    const Sensor sensor = EyeStrip{{{1.0, 0.005}, glm::normalize(Vec2(0.2, 1.0)), 1.0}, 4};
+    const RequirementsAnswer answer = requirementsOf({.index = index, .sensor = sensor});
+    REQUIRE(answer.facts.longestChain);
+    CHECK(*answer.facts.longestChain > kMaxSpecularInfo.most);
+    CHECK(answer.plan.maxSpecular <= kMaxSpecularInfo.most);
+    CHECK(answer.of(RequirementId::specular).ground == Ground::measurement);
+}
+
 TEST_CASE("requirements: chains beyond the longest bring as much, path by path, as the last that ended") {
     Pilot half, all;
     half.totals = {1.0, 2.0, 3.0};

@@ -119,6 +119,12 @@ Json candidatesJson(const RequirementsAnswer& answer, const SegmentIndex& index)
     return rows;
 }
 
+/// Empty, or that light is missing, or may be.
+std::string lostSentence(const RequirementsAnswer& answer) {
+    const std::string lost = lostWords(answer);
+    return lost.empty() || answer.dark ? lost : "light is missing: " + lost;
+}
+
 /// Of an answer that was called off: what was tried until then.
 std::string triedText(const RequirementsAnswer& answer, const SegmentIndex& index) {
     std::string text;
@@ -169,8 +175,7 @@ std::string requirementsText(const RequirementsAnswer& answer, const SegmentInde
             wrapped(requirement.reason + (requirement.ground == Ground::force ? " [forced]" : ""), kColumn);
     }
     text += "\nplan: " + wrapped(planLine(answer.plan, index), 6);
-    if (const std::string lost = lostWords(answer); !lost.empty())
-        text += "NOTE: " + wrapped("light is missing: " + lost, 6);
+    if (const std::string lost = lostSentence(answer); !lost.empty()) text += "NOTE: " + wrapped(lost, 6);
     text += fmt::format("found with {} rays in {:.2g} s\n", answer.rays, answer.seconds);
     return text;
 }
@@ -184,6 +189,7 @@ std::string explanation(const RequirementsAnswer& answer, const SegmentIndex& in
 }
 
 std::string lostWords(const RequirementsAnswer& answer) {
+    if (answer.dark) return "no short run met any light; if there is some, the plan may lose it";
     std::vector<std::string> lost;
     if (!answer.loses.empty()) lost.push_back(fmt::format("the plan {}", answer.loses));
     const auto add = [&](const std::optional<BeyondDepth>& missing, std::uint32_t followed,
@@ -198,8 +204,8 @@ std::string lostWords(const RequirementsAnswer& answer) {
 }
 
 std::string lostWarning(const RequirementsAnswer& answer) {
-    const std::string lost = lostWords(answer);
-    return lost.empty() ? lost : fmt::format("\nWARNING: light is missing: {}\n", lost);
+    const std::string lost = lostSentence(answer);
+    return lost.empty() ? lost : fmt::format("\nWARNING: {}\n", lost);
 }
 
 void tellLost(const RequirementsAnswer& answer, Json& result) {

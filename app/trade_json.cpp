@@ -17,6 +17,10 @@ constexpr const char* kFingerprint = "fingerprint";
 std::string textOf(const std::filesystem::path& file) {
     if (std::filesystem::is_directory(file))
         throw InputError(file.string(), "is a folder, expected a file that halfdisk trade wrote");
+    std::error_code failed;
+    if (!std::filesystem::is_regular_file(file, failed))
+        throw InputError(file.string(),
+                         "is no file that can be read, expected one that halfdisk trade wrote");
     std::ifstream stream(file, std::ios::binary);
     std::string text(std::istreambuf_iterator<char>(stream), {});
     if (!stream) throw InputError(file.string(), "cannot be read, expected a file that halfdisk trade wrote");

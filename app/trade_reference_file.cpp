@@ -69,6 +69,10 @@ TradeReference fromJson(const fs::path& file, const Json& asked) {
                              "has pixels without standard error, expected two samples or more");
         reference.standardError = pixelsFrom(errors);
         checkFacts(file, json, asked);
+        const EstimatorInfo* estimator = findEstimator(json.at("estimator").get<std::string>());
+        if (estimator && !estimator->bias.empty())
+            reference.how +=
+                fmt::format("; it is by {}, which has a bias that no error tells", estimator->id);
         if (const auto cut = json.value("cut", std::uint64_t{0}); cut > 0)
             reference.how += fmt::format(
                 "; {} of {} paths were given up after {} mirror and glass events: their light is missing",

@@ -20,7 +20,7 @@ std::string amount(const TradeReport& report, std::size_t i, TradeCost cost) {
     const TradeCell& cell = report.cells[i];
     const TradeVerdict& verdict = report.verdicts[i];
     const std::optional<double>& value = verdict.toTarget[at(cost)];
-    if (!value) return "never";
+    if (!value) return verdict.biasLow < report.target ? "unknown" : "never";
     constexpr double kRough = 0.3;
     const Uncertain variance = cell.statistics.variance;
     const bool rough = variance.error > kRough * variance.value || mayBeUnseen(cell, report.truth) ||
@@ -122,7 +122,9 @@ std::string choiceText(const TradeReport& report) {
         text += fmt::format("; the best of another estimator, {}, takes {:.3g} times the rays",
                             report.cells[*choice->runnerUp].name, choice->runnerUpFactor);
     const auto cheaper = cheapest(report, report.target, TradeCost::rays);
-    if (cheaper && cheaper->cell != choice->cell)
+    const bool trusted =
+        cheaper && report.verdicts[cheaper->cell].careful.costOf(report.target, TradeCost::rays).has_value();
+    if (cheaper && cheaper->cell != choice->cell && !trusted)
         text += fmt::format(
             "\n  ({} would take {:.3g} rays, but is not trusted: with what is not known yet, its "
             "bias may be {})",

@@ -1,6 +1,7 @@
 #include "reference.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +14,43 @@ namespace {
 
 // Panels along a stretch of wall, finer towards its ends, where light from an adjoining wall bends most.
 constexpr std::array kPanelEnds{0.0, 0.02, 0.1, 0.3, 0.7, 0.9, 0.98, 1.0};
+
+/// From a point to a stretch of wall.
+double distanceTo(Vec2 P, Vec2 a, Vec2 b) {
+    const double u = std::clamp(glm::dot(P - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
+    return glm::length(P - (a + u * (b - a)));
+}
+
+/// Panels are halved until none is longer than half its distance to a corner in front of the wall: beside it
+/// what the other wall sends, or takes away, changes over such a distance. What touches the wall has its
+/// panels already.
+std::vector<double> refined(const std::vector<double>& ends, const Segment& wall, Vec2 N,
+                            const std::vector<Vec2>& corners) {
+    constexpr int kHalvings = 10;
+    constexpr std::size_t kMostPanels = 120;
+    constexpr double kTouches = 1e-6;  // of the wall's length
+    const Vec2 edge = wall.b - wall.a;
+    const double length = glm::length(edge);
+    std::vector<Vec2> near;
+    for (const Vec2 corner : corners)
+        if (glm::dot(corner - wall.a, N) > kTouches * length) near.push_back(corner);
+    std::vector<double> all{ends.front()};
+    const auto add = [&](const auto& self, double from, double to, int halvings) -> void {
+        const Vec2 a = wall.a + from * edge, b = wall.a + to * edge;
+        const bool tooLong = std::any_of(near.begin(), near.end(), [&](Vec2 corner) {
+            return 0.5 * distanceTo(corner, a, b) < (to - from) * length;
+        });
+        if (!tooLong || halvings == 0 || all.size() > kMostPanels) {
+            all.push_back(to);
+            return;
+        }
+        const double middle = (from + to) / 2.0;
+        self(self, from, middle, halvings - 1);
+        self(self, middle, to, halvings - 1);
+    };
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) add(add, ends[i], ends[i + 1], kHalvings);
+    return all;
+}
 
 /// Lagrange interpolation of the values at a panel's nodes; x in -1 ... 1.
 Rgb interpolate(const Rgb* values, double x) {
@@ -63,6 +101,9 @@ void Reference::addSide(std::uint32_t segment, bool front) {
     for (std::size_t i = 0; i + 1 < contacts.size(); ++i)
         for (const double end : kPanelEnds)
             if (end > 0.0) side.panelEnds.push_back(contacts[i] + (contacts[i + 1] - contacts[i]) * end);
+    const SegmentIndex& index = visibility_.index();
+    side.panelEnds = refined(side.panelEnds, index.scene().segments[segment],
+                             front ? index.normal(segment) : -index.normal(segment), visibility_.corners());
     nodeCount_ += (side.panelEnds.size() - 1) * kGauss8.size();
     sides_.push_back(std::move(side));
 }
@@ -89,6 +130,25 @@ Rgb Reference::radiance(const ShadedPoint& at, double theta, unsigned depth) con
     for (unsigned scatterings = 1; scatterings < depth; ++scatterings)
         L += albedo / 2.0 * irradianceAt(scatterings, hit);
     return L;
+}
+
+double Reference::interpolationError(std::span<const std::uint32_t> walls, unsigned depth) const {
+    const SegmentIndex& index = visibility_.index();
+    double squares = 0.0, total = 0.0;
+    for (const std::uint32_t wall : walls) {
+        const Side& side = sides_[firstSide_[wall]];
+        for (std::size_t panel = 0; panel + 1 < side.panelEnds.size(); ++panel) {
+            const double from = side.panelEnds[panel], to = side.panelEnds[panel + 1],
+                         length = (to - from) * index.length(wall);
+            const Hit hit{wall, 0.0, (from + to) / 2.0, true};  // between the middle nodes
+            Rgb off{0.0};
+            for (unsigned k = 1; k <= depth; ++k)
+                off += irradianceAt(k, hit) - arrivingAfter(k, shadedPointAt(index, hit));
+            squares += length * glm::dot(off, off) / 3.0;
+            total += length;
+        }
+    }
+    return total > 0.0 ? std::sqrt(squares / total) : 0.0;
 }
 
 Rgb Reference::arrivingAfter(unsigned scatterings, const ShadedPoint& at) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <span>
 
 #include "exact.h"
 
@@ -12,7 +13,7 @@ namespace halfdisk {
 /// after exactly k scatterings is computed at Gauss points along every wall from that after k - 1, which is
 /// interpolated between them. Direct light is never interpolated, so shadow edges stay sharp. Atkinson 1997,
 /// "The Numerical Solution of Integral Equations of the Second Kind", chapter 4. Relative error in rooms:
-/// 1e-8 at depth 1, below 1e-3 beyond, where kinks are interpolated.
+/// 1e-8 at depth 1, below 1e-3 beyond, where kinks are interpolated: see interpolationError.
 class Reference {
  public:
     static constexpr std::size_t kMostWalls = 200;     ///< at depth 0 and 1
@@ -32,6 +33,10 @@ class Reference {
     /// E (W/m) on that side of a wall, faster: direct light exactly, the rest interpolated as within
     /// radiance(). `depth` < maxDepth.
     Rgb interpolatedIrradiance(const Hit& hit, unsigned depth) const;
+
+    /// How far what is interpolated lies from what it stands for, E (W/m) of 1 ... `depth` < maxDepth
+    /// scatterings on the front of walls: root mean square of the panels' middles.
+    double interpolationError(std::span<const std::uint32_t> walls, unsigned depth) const;
 
     /// Radiance (W/(m rad)) that arrives at `at` along theta (rad from the tangent), scattered at most
     /// `depth` times on its way.

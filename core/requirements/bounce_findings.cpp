@@ -9,6 +9,8 @@
 namespace halfdisk {
 namespace {
 
+constexpr auto kMostDepth = static_cast<std::uint32_t>(kMaxDepthInfo.most);
+
 // The same random numbers at every depth: a deeper path is the same path, followed further, so that the
 // difference is what the further scatterings bring.
 std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Series& series,
@@ -19,6 +21,7 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
         pilot(problem, series.plan,
               {.rays = static_cast<std::uint64_t>(question.effort * kSeriesRays), .leastPasses = 16});
     rays += all.rays;
+    if (!(all.mean > 0.0)) return {};
     const auto upTo = [&](std::uint32_t depth) {
         Plan plan = series.plan;
         plan.maxDepth = depth;
@@ -37,28 +40,55 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
     return shares;
 }
 
-/// By the last measured share, with its error, going on as the last two fell. Sets `ahead` where no depth is
-/// enough.
-std::uint32_t depthOf(const std::vector<BeyondDepth>& shares, double tolerance,
-                      std::optional<BeyondDepth>& ahead) {
+/// By which the last two shares fall with every scattering; nothing where they don't tell.
+std::optional<double> fallOf(const std::vector<BeyondDepth>& shares) {
+    if (shares.size() < 2) return std::nullopt;
+    const BeyondDepth &last = shares.back(), &before = shares[shares.size() - 2];
+    if (!(last.share > 0.0) || !(before.share > 0.0)) return std::nullopt;
+    return std::min(1.0, std::pow(last.share / before.share, 1.0 / (last.depth - before.depth)));
+}
+
+/// Where a measured share, with its error, is enough; else as the last two fell.
+std::uint32_t depthOf(const std::vector<BeyondDepth>& shares, double tolerance) {
     if (shares.empty()) return kMaxDepthInfo.initial;
     for (const BeyondDepth& beyond : shares)
         if (isEnough(beyond, tolerance)) return beyond.depth;
     const BeyondDepth& last = shares.back();
-    if (shares.size() < 2) return last.depth + 1;
-    const BeyondDepth& before = shares[shares.size() - 2];
-    const double fall = std::min(1.0, std::pow(std::max(1e-12, last.share) / std::max(1e-12, before.share),
-                                               1.0 / (last.depth - before.depth)));
-    const double most = static_cast<double>(kMaxDepthInfo.most),
-                 more = std::log(tolerance / std::max(tolerance, mayMiss(last))) / std::log(fall),
-                 depth = last.depth + std::ceil(more) + 1.0;
-    if (fall < 1.0 && depth <= most) return static_cast<std::uint32_t>(depth);
-    const double left = std::pow(fall, most - last.depth);
-    ahead = {static_cast<std::uint32_t>(kMaxDepthInfo.most), left * last.share, left * last.standardError};
-    return ahead->depth;
+    const double most = static_cast<double>(kMaxDepthInfo.most), fall = fallOf(shares).value_or(0.5);
+    const double more = std::log(tolerance / mayMiss(last)) / std::log(fall);
+    return fall < 1.0 ? static_cast<std::uint32_t>(std::min(most, last.depth + std::ceil(more) + 1.0))
+                      : static_cast<std::uint32_t>(most);
 }
 
 }  // namespace
+
+std::optional<BeyondDepth> shareBeyondDepth(const BounceFindings& bounces, std::uint32_t depth) {
+    if (bounces.patches) {
+        const std::vector<double>& beyond = bounces.patches->beyond;
+        const std::size_t known = std::min<std::size_t>(depth, beyond.size() - 1);
+        return BeyondDepth{static_cast<std::uint32_t>(known), beyond[known], 0.0};
+    }
+    const std::vector<BeyondDepth>& shares = bounces.measured;
+    if (shares.empty()) return std::nullopt;
+    const auto next =
+        std::lower_bound(shares.begin(), shares.end(), depth,
+                         [](const BeyondDepth& beyond, std::uint32_t asked) { return beyond.depth < asked; });
+    if (next != shares.end() && next->depth == depth) return *next;
+    if (next != shares.end() && next != shares.begin()) {
+        const BeyondDepth &from = *(next - 1), &to = *next;
+        const double part = double(depth - from.depth) / (to.depth - from.depth);
+        constexpr double kLeast = 1e-12;
+        return BeyondDepth{
+            depth,
+            std::pow(std::max(kLeast, from.share), 1.0 - part) * std::pow(std::max(kLeast, to.share), part),
+            (1.0 - part) * from.standardError + part * to.standardError};
+    }
+    const BeyondDepth& last = shares.back();
+    const std::optional<double> fall = fallOf(shares);
+    if (isEnough(last, bounces.tolerance) || !fall) return last;
+    const double left = std::pow(*fall, depth - last.depth);
+    return BeyondDepth{depth, left * last.share, left * last.standardError};
+}
 
 BounceFindings findBounces(const RequirementsQuestion& question, const SceneFacts& facts,
                            std::uint32_t maxSpecular, std::uint64_t& rays) {
@@ -70,8 +100,11 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
         if (bounces.patches)
             bounces.byRadius = scatteringsUntil(bounces.patches->spectralRadius, question.tolerance);
     }
-    if (const auto series = seriesOf(question, maxSpecular))
+    bounces.tolerance = question.tolerance;
+    if (const auto series = seriesOf(question, maxSpecular)) {
         bounces.measured = measured(question, *series, facts.mostAlbedo, rays);
+        bounces.dark = bounces.measured.empty();
+    }
     if (bounces.patches) {
         // All of them are there, those too that chance rarely finds.
         bounces.depth = static_cast<std::uint32_t>(bounces.patches->beyond.size() - 1);
@@ -79,13 +112,13 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
         bounces.missing = {bounces.depth, bounces.patches->beyond.back(), 0.0};
         return bounces;
     }
-    bounces.depth = std::max(1u, depthOf(bounces.measured, question.tolerance, bounces.ahead));
-    // The albedo bounds the light of the whole room; a sensor in its darkest corner may see later light. So
-    // much later is noise.
-    if (bounces.byAlbedo) bounces.depth = std::min(bounces.depth, 4 * std::max(1u, *bounces.byAlbedo));
-    for (const BeyondDepth& beyond : bounces.measured)
-        if (beyond.depth <= bounces.depth) bounces.missing = beyond;
-    bounces.required = bounces.depth;
+    // So much later is noise, whatever short runs say: the albedo bounds the light of the whole room, and a
+    // sensor in its darkest corner sees later light, but not of so many.
+    const std::uint32_t most = bounces.byAlbedo ? 4 * std::max(1u, *bounces.byAlbedo) : kMostDepth;
+    const std::uint32_t wanted =
+        bounces.dark ? most : std::max(1u, depthOf(bounces.measured, question.tolerance));
+    bounces.required = bounces.depth = std::min(wanted, most);
+    bounces.missing = shareBeyondDepth(bounces, bounces.depth);
     return bounces;
 }
 
@@ -94,18 +127,23 @@ std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts
     const double left = tolerance - taken;
     if (facts.mostAlbedo == 0.0) return "no wall scatters any light";
     std::string reason;
+    if (bounces.dark) reason += "no path that was tried brought any light, so that nothing is known of it; ";
     if (const auto& missing = bounces.missing) {
-        reason = words::joined("more than ", std::to_string(missing->depth), " scatterings bring ",
-                               shareWords(*missing, left));
+        reason += words::joined("more than ", std::to_string(missing->depth), " scatterings bring ",
+                                shareWords(*missing, left));
         if (bounces.patches)
             reason += words::joined(", by ", std::to_string(bounces.patches->patches), " patches");
+        const bool beyond = !bounces.patches && missing->depth > bounces.measured.back().depth;
+        if (beyond)
+            reason += words::joined(", if it goes on as it falls up to ",
+                                    std::to_string(bounces.measured.back().depth));
         reason += "; ";
-        if (missing->depth == kMaxDepthInfo.most && !isEnough(*missing, left))
+        if (missing->depth < bounces.depth && bounces.depth == bounces.required)
+            reason += words::joined(std::to_string(bounces.depth), bounces.depth == 1 ? " is" : " are",
+                                    " followed all the same: short runs may not have met what is rare; ");
+        if (missing->depth == bounces.depth && !isEnough(*missing, left))
             reason += words::joined("no more than ", std::to_string(missing->depth),
                                     " are followed: ", lackWords(*missing, left), "; ");
-        if (missing->depth < bounces.depth && !isEnough(*missing, left))
-            reason +=
-                words::joined("going on as they fall, ", std::to_string(bounces.depth), " are enough; ");
     }
     constexpr double kTold = 0.01;  // of the tolerance
     reason += words::joined("the tolerance is ", words::percent(tolerance));

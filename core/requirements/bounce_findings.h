@@ -9,6 +9,11 @@ namespace halfdisk {
 BounceFindings findBounces(const RequirementsQuestion& question, const SceneFacts& facts,
                            std::uint32_t maxSpecular, std::uint64_t& rays);
 
+/// What more than `depth` scatterings bring, as far as it is known: between two depths that were measured,
+/// and beyond the last one where that was not enough, as if light fell by the same share from each to the
+/// next.
+std::optional<BeyondDepth> shareBeyondDepth(const BounceFindings& bounces, std::uint32_t depth);
+
 /// Why so many, with all numbers. `taken`: what mirror and glass events leave out of the tolerance already.
 std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts, double tolerance,
                           double taken);

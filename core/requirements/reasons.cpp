@@ -22,7 +22,10 @@ std::string raysOf(const RequirementsAnswer& answer) {
         text += way.estimator;
         if (!way.emitters.empty()) text += joined(" (", way.emitters, ")");
         if (rouletteOf(candidate.plan) > 0) text += " with roulette";
-        text += joined(" ", words::number(candidate.pilot.raysTo(answer.tolerance), 3));
+        const bool dark = candidate.pilot.mean == 0.0;
+        text += dark              ? std::string(" meets no light")
+                : candidate.lacks ? std::string(" meets less light")
+                                  : joined(" ", words::number(candidate.pilot.raysTo(answer.tolerance), 3));
     }
     return text;
 }
@@ -43,7 +46,7 @@ template <class Is>
 std::optional<double> leastRays(const RequirementsAnswer& answer, const Is& is) {
     std::optional<double> least;
     for (const Candidate& candidate : answer.candidates)
-        if (!candidate.lacks && is(candidate)) {
+        if (!candidate.lacks && candidate.pilot.mean > 0.0 && is(candidate)) {
             const double rays = candidate.pilot.raysTo(answer.tolerance);
             if (!least || rays < *least) least = rays;
         }
@@ -152,14 +155,18 @@ std::string rouletteReason(const RequirementsAnswer& answer) {
     if (!answer.plan.way.roulette) return "there are no paths to end";
     if (answer.plan.maxDepth == 0) return "paths end at the first scattering";
     const auto ends = [](const Candidate& candidate) { return rouletteOf(candidate.plan) > 0; };
-    std::optional<double> on, off;
+    const Candidate *on = nullptr, *off = nullptr;
     for (const Candidate& candidate : answer.candidates)
-        if (candidate.plan.way == answer.plan.way)
-            (ends(candidate) ? on : off) = candidate.pilot.raysTo(answer.tolerance);
+        if (candidate.plan.way == answer.plan.way) (ends(candidate) ? on : off) = &candidate;
     if (!on) return "ending paths by chance was not tried";
     if (!off) return "following paths to their end was not tried";
-    return *on < *off ? fewer("ending paths by chance", *off / *on)
-                      : fewer("following paths to their end", *on / *off);
+    if (on->lacks) return "ending paths by chance met less light";
+    if (off->lacks) return "following paths to their end met less light";
+    const double ended = on->pilot.raysTo(answer.tolerance), followed = off->pilot.raysTo(answer.tolerance);
+    const bool ending = ended < followed;
+    const std::string reason = ending ? fewer("ending paths by chance", followed / ended)
+                                      : fewer("following paths to their end", ended / followed);
+    return ending == ends(*(on->chosen ? on : off)) ? reason : reason + ", but so few rays are no cost";
 }
 
 std::string indexReason(const RequirementsQuestion& question) {

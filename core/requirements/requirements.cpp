@@ -48,16 +48,7 @@ RequirementsAnswer::Escapes escapesOf(const SegmentIndex& index) {
 
 void cutAt(std::uint32_t depth, BounceFindings& bounces) {
     bounces.depth = depth;
-    bounces.missing.reset();
-    if (bounces.patches) {
-        const std::vector<double>& beyond = bounces.patches->beyond;
-        const std::size_t known = std::min<std::size_t>(depth, beyond.size() - 1);
-        bounces.missing = {static_cast<std::uint32_t>(known), beyond[known], 0.0};
-        return;
-    }
-    for (const BeyondDepth& beyond : bounces.measured)
-        if (beyond.depth <= depth) bounces.missing = beyond;
-    if (bounces.ahead && bounces.ahead->depth <= depth) bounces.missing = bounces.ahead;
+    bounces.missing = shareBeyondDepth(bounces, depth);
 }
 
 // What is tried must not be what is then shown: choosing by the same random numbers would favour them.
@@ -104,6 +95,7 @@ void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer
     asked.seed = tried(question.seed);
     answer.candidates.clear();
     answer.loses.clear();
+    answer.dark = false;
     answer.plan = {};
     answer.plan.maxSpecular = forcedTo(asked, RequirementId::specular).value_or(answer.specular.required);
     if (const auto index = forcedTo(asked, RequirementId::index))

@@ -59,15 +59,14 @@ struct SpecularFindings {
 /// What is known of the bounces, from three sides.
 struct BounceFindings {
     std::uint32_t required = 0;             ///< by itself, whatever is forced
+    double tolerance = kInitialTolerance;   ///< that they may leave out
+    bool dark = false;                      ///< no path that was tried brought any light: nothing is known
     std::uint32_t depth = 0;                ///< the plan's
     std::optional<std::uint32_t> byAlbedo;  ///< bound by the largest albedo; none: it is 1
     std::optional<PatchBounces> patches;    ///< of matt rooms
     std::optional<std::uint32_t> byRadius;  ///< bound by the spectral radius
     std::vector<BeyondDepth> measured;      ///< by paths, ascending in depth
-    /// Where light of no depth that can be followed falls below the tolerance: what is beyond the deepest, if
-    /// it goes on as it was measured to fall.
-    std::optional<BeyondDepth> ahead{};
-    std::optional<BeyondDepth> missing{};  ///< what the plan's depth leaves out, as far as it was measured
+    std::optional<BeyondDepth> missing{};   ///< what the plan's depth leaves out, as far as it is known
 };
 
 /// A way that was tried.
@@ -75,7 +74,7 @@ struct Candidate {
     Plan plan;
     Pilot pilot;
     bool chosen = false;
-    bool lacks = false;  ///< brings surely less light than another that loses some
+    bool lacks = false;  ///< brings surely less light than another
 };
 
 /// No way of carrying light does what is forced.
@@ -96,6 +95,7 @@ struct RequirementsAnswer {
     };
     Escapes escapes;
     Plan plan;
+    bool dark = false;  ///< no short run of any way brought light to the sensor: the plan is a guess
     std::string loses;  ///< empty, or what the plan can't carry, in words
     double tolerance = kInitialTolerance;
     std::uint64_t rays = 0;  ///< cast to find all this

@@ -31,35 +31,37 @@ bool isGreyMaterial(const Material& material) {
 }
 
 void addMaterial(const Material& material, SceneFacts& facts) {
-    std::visit(Overload{[&](const Diffuse& wall) {
-                            facts.mostAlbedo = std::max(facts.mostAlbedo, most(wall.albedo));
-                        },
-                        [&](const Mirror& wall) {
-                            ++facts.mirrors;
-                            facts.mostReflectance = std::max(facts.mostReflectance, most(wall.reflectance));
-                        },
-                        [&](const Glossy& wall) {
-                            ++facts.glossy;
-                            facts.mostExponent = std::max(facts.mostExponent, wall.exponent);
-                            facts.mostAlbedo = std::max(facts.mostAlbedo, most(wall.albedo));
-                        },
-                        [&](const Dielectric&) { ++facts.glass; },
-                        [&](const Mix& wall) {
-                            ++facts.mixes;
-                            Rgb scattered = wall.diffuse.albedo * (1.0 - wall.weight);
-                            if (const auto* glossy = std::get_if<Glossy>(&wall.specular)) {
-                                ++facts.glossy;
-                                facts.mostExponent = std::max(facts.mostExponent, glossy->exponent);
-                                scattered += glossy->albedo * wall.weight;
-                            } else {
-                                ++facts.mirrors;
-                                facts.mostReflectance =
-                                    std::max(facts.mostReflectance,
-                                             most(std::get<Mirror>(wall.specular).reflectance) * wall.weight);
-                            }
-                            facts.mostAlbedo = std::max(facts.mostAlbedo, most(scattered));
-                        }},
-               material);
+    std::visit(
+        Overload{
+            [&](const Diffuse& wall) { facts.mostAlbedo = std::max(facts.mostAlbedo, most(wall.albedo)); },
+            [&](const Mirror& wall) {
+                ++facts.mirrors;
+                facts.mostReflectance = std::max(facts.mostReflectance, most(wall.reflectance));
+            },
+            [&](const Glossy& wall) {
+                ++facts.glossy;
+                facts.mostExponent = std::max(facts.mostExponent, wall.exponent);
+                facts.mostAlbedo = std::max(facts.mostAlbedo, most(wall.albedo));
+            },
+            [&](const Dielectric&) { ++facts.glass; },
+            [&](const Mix& wall) {
+                ++facts.mixes;
+                Rgb scattered = wall.diffuse.albedo * (1.0 - wall.weight);
+                if (const auto* glossy = std::get_if<Glossy>(&wall.specular)) {
+                    ++facts.glossy;
+                    facts.mostExponent = std::max(facts.mostExponent, glossy->exponent);
+                    scattered += glossy->albedo * wall.weight;
+                } else {
+                    ++facts.mirrors;
+                    const Rgb mirrored = std::get<Mirror>(wall.specular).reflectance * wall.weight;
+                    facts.mostReflectance = std::max(facts.mostReflectance, most(mirrored));
+                    // What is mirrored comes to such walls again, until it is scattered.
+                    for (int c = 0; c < 3; ++c)
+                        if (mirrored[c] < 1.0) scattered[c] /= 1.0 - mirrored[c];
+                }
+                facts.mostAlbedo = std::max(facts.mostAlbedo, most(scattered));
+            }},
+        material);
 }
 
 bool isMirrorWall(const Scene& scene, const Segment& wall) {

@@ -10,8 +10,10 @@ struct SceneFacts {
     std::size_t points = 0, suns = 0, lamps = 0;
     bool environment = false;
     std::size_t mirrors = 0, glass = 0, mixes = 0,
-                glossy = 0;        ///< walls; a mix with a mirror in it is a mirror too
-    double mostAlbedo = 0.0;       ///< share that any wall scatters of what arrives, at most; of any channel
+                glossy = 0;  ///< walls; a mix with a mirror in it is a mirror too
+    /// Share that any wall scatters of what arrives, at most; of any channel. Of a mix with a mirror, which
+    /// mirrors some of it, that is the share if all walls were like it.
+    double mostAlbedo = 0.0;
     double mostReflectance = 0.0;  ///< of mirrors
     double mostExponent = 0.0;     ///< of lobes
     /// A lamp shines on a wall so near that what a point on it brings, cos cos' / r, is no longer bounded by

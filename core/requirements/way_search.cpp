@@ -80,7 +80,7 @@ class Search {
     void tryWay(const Way& way) {
         const auto forced = forcedTo(question_, RequirementId::roulette);
         const bool roulette = forced ? *forced != 0 : depth() > kRouletteFrom;
-        tryPlan(planOf(way, roulette ? kRouletteFrom : 0));
+        tryPlan(planOf(way, roulette ? std::min(kRouletteFrom, std::max(1u, depth())) : 0));
     }
 
     void tryPlan(const Plan& plan) {
@@ -105,31 +105,41 @@ class Search {
         }
     }
 
-    /// Of ways that lose light the ones that bring most, as far as noise shows it, and of those the cheapest.
+    /// Of the ones that bring most light, as far as noise shows it, the cheapest: others lose some, or have
+    /// not met what is rare.
     void takeBest() {
         // Where so few rays do, they are no cost: then the simplest way is the best.
         constexpr double kFewRays = 16.0;  // for each pixel
-        constexpr double kSure = 2.0;      // standard errors
+        constexpr double kSure = 3.0;      // standard errors
         const auto rays = [&](const Candidate& candidate) {
             return std::max(candidate.pilot.raysTo(answer_.tolerance),
                             kFewRays * static_cast<double>(candidate.pilot.pixels));
         };
         double least = 0.0;  // light that is surely brought
-        for (const Candidate& candidate : answer_.candidates)
-            if (!isWhole(candidate.plan.way))
-                least = std::max(least, candidate.pilot.mean - kSure * candidate.pilot.meanError);
+        bool any = false;
+        for (const Candidate& candidate : answer_.candidates) {
+            least = std::max(least, candidate.pilot.mean - kSure * candidate.pilot.meanError);
+            any = any || candidate.pilot.mean > 0.0;
+        }
         Candidate* best = nullptr;
         for (Candidate& candidate : answer_.candidates) {
-            candidate.lacks = candidate.pilot.mean + kSure * candidate.pilot.meanError < least;
+            // What has met no light has no noise either.
+            candidate.lacks = candidate.pilot.mean + kSure * candidate.pilot.meanError < least ||
+                              (any && candidate.pilot.mean == 0.0);
             if (!candidate.lacks && (!best || rays(candidate) < 0.98 * rays(*best))) best = &candidate;
         }
+        const bool formula = answer_.candidates.front().plan.way.estimator == "closed-form";
+        answer_.dark = !any && !formula;
+        // Whoever looks in all ways is the last to miss something.
+        if (answer_.dark) best = &answer_.candidates.back();
         for (Candidate& candidate : answer_.candidates) candidate.chosen = &candidate == best;
         answer_.plan = best->plan;
     }
 
     void tryOtherRoulette() {
         const Way way = answer_.plan.way;
-        if (!way.roulette || depth() == 0 || forcedTo(question_, RequirementId::roulette)) return;
+        if (answer_.dark || !way.roulette || depth() == 0 || forcedTo(question_, RequirementId::roulette))
+            return;
         tryPlan(planOf(way, rouletteOf(answer_.plan) > 0 ? 0 : std::min(kRouletteFrom, depth())));
         takeBest();
     }

@@ -57,10 +57,9 @@ std::unique_ptr<Estimator> prepared(const Problem& problem, const TradeSetting& 
 
 }  // namespace
 
-bool isSameRun(const TradeCell& a, const TradeCell& b) {
+bool isSameLight(const TradeCell& a, const TradeCell& b) {
     const TradeSetting &one = a.setting, &other = b.setting;
-    if (!a.measured() || !b.measured() || one.estimator != other.estimator ||
-        one.maxDepth != other.maxDepth || one.facets != other.facets || one.index != other.index)
+    if (!a.measured() || !b.measured() || one.estimator != other.estimator || one.maxDepth != other.maxDepth)
         return false;
     // What has a bias does more than follow paths: patches, photons. It takes its time.
     if (!one.estimator->bias.empty()) return false;
@@ -76,6 +75,10 @@ bool isSameRun(const TradeCell& a, const TradeCell& b) {
                                         return x.passes == y.passes && x.mse.value == y.mse.value &&
                                                x.rays == y.rays;
                                     });
+}
+
+bool isSameRun(const TradeCell& a, const TradeCell& b) {
+    return a.setting.index == b.setting.index && isSameLight(a, b);
 }
 
 TradeCell measureCell(const Problem& problem, const TradeSetting& setting, std::uint32_t askedDepth,

@@ -31,8 +31,13 @@ struct TradeCell {
     double secondsPerPass() const { return seconds / static_cast<double>(passes); }
 };
 
-/// Whether two settings did the same, ray by ray, though they are called differently: roulette from the 5th
-/// scattering on, and from the 17th, of paths that end at the 2nd. Only their times differ, by chance.
+/// Whether two settings came to the same light, ray by ray: to the last bit of their noise. One that has a
+/// bias may, and did something else.
+bool isSameLight(const TradeCell& a, const TradeCell& b);
+
+/// Whether two settings did the same, with the same index, though they are called differently: roulette from
+/// the 5th scattering on, and from the 17th, of paths that end at the 2nd. Only their times differ, by
+/// chance.
 bool isSameRun(const TradeCell& a, const TradeCell& b);
 
 /// Asks `problem` (whose index and depth are the setting's) for passes until the budget is spent. Refusals of

@@ -73,8 +73,11 @@ TradeLaw lawOf(const TradeCell& cell, const TradeTruth& truth, bool biased, doub
 
 TradeLaw carefulLaw(const TradeCell& cell, const TradeTruth& truth, bool biased) {
     TradeLaw law = lawOf(cell, truth, biased, 1.0);
-    if (biased || !claimsNone(cell, truth))
-        law.bias2 = std::max(0.0, bias2High(cell.statistics, cell.groups)) / (truth.light * truth.light);
+    if (biased || !claimsNone(cell, truth)) {
+        const double own = truth.exact ? truth.relativeError : 0.0;
+        const double bias = std::sqrt(std::max(0.0, bias2High(cell.statistics, cell.groups))) / truth.light;
+        law.bias2 = (bias + own) * (bias + own);
+    }
     return law;
 }
 

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <thread>
 
 #include "core/estimators.h"
@@ -110,6 +111,21 @@ Reference referenceOf(const Problem& problem, unsigned depth) {
     return reference;
 }
 
+/// What the quadrature may be off by, as a share of the light: less than is told anyhow, or what is
+/// measured.
+double errorOf(const Reference& reference, const Sensor& sensor, unsigned depth, double light) {
+    std::vector<std::uint32_t> walls(reference.visibility().index().scene().segments.size());
+    std::iota(walls.begin(), walls.end(), 0u);
+    double off = 0.0;  // in the sensor's unit
+    if (const auto* profile = std::get_if<Profile>(&sensor))
+        off = reference.interpolationError(profile->segments, depth);
+    else if (std::holds_alternative<EyeStrip>(sensor))
+        off = reference.interpolationError(walls, depth) / 2.0;  // L = albedo / 2 E
+    else if (depth > 0)
+        off = reference.interpolationError(walls, depth - 1);
+    return std::max(depth == 0 ? kExactError : kExactErrorDeep, light > 0.0 ? off / light : 0.0);
+}
+
 const Candidate* candidateOf(std::string_view estimator) {
     const auto found = std::find_if(kCandidates.begin(), kCandidates.end(),
                                     [&](const Candidate& one) { return one.estimator == estimator; });
@@ -166,12 +182,16 @@ std::optional<TradeReference> exactReference(const Problem& problem) {
     }
     throwIfStopped(problem.stop);
     known.how = "exact, by quadrature";
-    if (const auto* probe = std::get_if<Probe>(&problem.sensor)) {
-        known.mean = {referenceOf(problem, depth).irradiance(probe->at, depth)};
-        return known;
-    }
-    if (!hasExactPicture(problem.sensor)) return std::nullopt;
-    known.mean = exactPicture(referenceOf(problem, depth + 1), problem.sensor, depth, problem.stop);
+    const auto* probe = std::get_if<Probe>(&problem.sensor);
+    if (!probe && !hasExactPicture(problem.sensor)) return std::nullopt;
+    const Reference reference = referenceOf(problem, probe ? depth : depth + 1);
+    if (probe)
+        known.mean = {reference.irradiance(probe->at, depth)};
+    else
+        known.mean = exactPicture(reference, problem.sensor, depth, problem.stop);
+    known.relativeError = errorOf(reference, problem.sensor, depth, known.light());
+    constexpr double kTooLarge = 0.005;
+    if (known.relativeError > kTooLarge) return std::nullopt;
     return known;
 }
 

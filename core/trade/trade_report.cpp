@@ -21,8 +21,11 @@ void fillVerdict(TradeVerdict& verdict, const TradeCell& cell, const TradeTruth&
     verdict.foundNothing = !(cell.statistics.mean > 0.0);
     verdict.biased = isBiased(cell, truth);
     verdict.bias = share(bias2.value);
-    verdict.biasLow = mayBeUnseen(cell, truth) ? 0.0 : share(bias2Low(cell.statistics, cell.groups));
-    verdict.biasHigh = share(bias2High(cell.statistics, cell.groups));
+    // Where the truth is exact, its own error is not in the spread.
+    const double own = truth.exact ? truth.relativeError : 0.0;
+    verdict.biasLow =
+        mayBeUnseen(cell, truth) ? 0.0 : std::max(0.0, share(bias2Low(cell.statistics, cell.groups)) - own);
+    verdict.biasHigh = share(bias2High(cell.statistics, cell.groups)) + own;
     verdict.law = lawOf(cell, truth, verdict.biased, 0.0);
     verdict.careful = carefulLaw(cell, truth, verdict.biased);
     verdict.relativeError = std::sqrt(verdict.law.bias2 + verdict.law.variance / passes);
@@ -75,13 +78,27 @@ std::optional<double> leastFactor(const TradeLaw& law, const std::vector<double>
     return least < kNever ? std::optional(least) : std::nullopt;
 }
 
+/// What came to the same light, ray by ray, with a coarser scene or less precision has no more bias than with
+/// the scene itself.
+void findSameLight(std::vector<TradeCell>& timed) {
+    for (TradeCell& cell : timed)
+        for (const TradeCell& other : timed) {
+            if (!isSameLight(cell, other) || other.setting.facets != 1.0) continue;
+            cell.setting.facets = 1.0;
+            if (precisionOf(other.setting.index) == Precision::twice)
+                cell.setting.index = other.setting.index;
+        }
+}
+
 /// Those that did the same are one, and of its times the better ones were less disturbed. Returns the cells
 /// with these times.
 std::vector<TradeCell> findSameRuns(TradeReport& report) {
     std::vector<TradeCell> timed = report.cells;
+    findSameLight(timed);
     for (std::size_t i = 0; i < timed.size(); ++i)
         for (std::size_t first = 0; first < i && !report.verdicts[i].sameRunAs; ++first) {
-            if (report.verdicts[first].sameRunAs || !isSameRun(timed[first], timed[i])) continue;
+            if (report.verdicts[first].sameRunAs || !isSameRun(report.cells[first], report.cells[i]))
+                continue;
             report.verdicts[i].sameRunAs = first;
             TradeCell& one = timed[first];
             one.preparationSeconds = std::min(one.preparationSeconds, timed[i].preparationSeconds);
@@ -105,8 +122,12 @@ void findPace(TradeReport& report, const std::vector<TradeCell>& timed) {
 /// The law at its best: what is not known was against it, and the machine as fast as it ever was.
 TradeLaw cheapLaw(const TradeCell& cell, const TradeTruth& truth, const TradeVerdict& verdict) {
     TradeLaw law = lawOf(cell, truth, verdict.biased, -2.0);
+    // The system may have run something else meanwhile, on one of the cores, for some of its time slices.
+    constexpr double kSlices = 0.05;
+    double& perPass = law.perPass[at(TradeCost::seconds)];
+    perPass = std::max(perPass - kSlices / static_cast<double>(cell.passes), 0.05 * perPass);
     law.preparation[at(TradeCost::seconds)] /= verdict.slower;
-    law.perPass[at(TradeCost::seconds)] /= verdict.slower;
+    perPass /= verdict.slower;
     return law;
 }
 

@@ -2,6 +2,7 @@
 // a truth that may be uncertain itself.
 #include "core/trade/trade_statistics.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace halfdisk {
@@ -153,10 +154,18 @@ TradeStatistics statisticsOf(const PassGroups& groups, const TradeReference& ref
 std::optional<Uncertain> exponentOf(const std::vector<TradeLevel>& levels) {
     double w = 0.0, wx = 0.0, wy = 0.0, wxx = 0.0, wxy = 0.0;
     std::size_t points = 0;
+    const auto isOfUse = [](const TradeLevel& level) {
+        return level.mse.value > 0.0 && level.mse.error < 0.5 * level.mse.value;
+    };
+    const auto sigmaOf = [](const TradeLevel& level) { return 0.5 * level.mse.error / level.mse.value; };
+    double most = 0.0;
+    for (const TradeLevel& level : levels)
+        if (isOfUse(level)) most = std::max(most, sigmaOf(level));
     for (const TradeLevel& level : levels) {
-        if (!(level.mse.value > 0.0) || !(level.mse.error < 0.5 * level.mse.value)) continue;
+        // Where others have noise, a level without is one where no pass met what is rare: it tells nothing.
+        if (!isOfUse(level) || sigmaOf(level) < 1e-4 * most) continue;
         // A curve without any noise has no standard error: all its points are worth the same.
-        const double sigma = std::max(0.5 * level.mse.error / level.mse.value, 1e-6);
+        const double sigma = std::max(sigmaOf(level), 1e-6);
         const double x = std::log(level.passes), y = 0.5 * std::log(level.mse.value);
         const double weight = 1.0 / (sigma * sigma);
         w += weight;

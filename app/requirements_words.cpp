@@ -186,6 +186,8 @@ std::string advice(const AppState& state) {
 std::string adviceLacks(const AppState& state) {
     const RequirementsAnswer* planned = plannedOf(state);
     if (!planned) return {};
+    if (planned->dark)
+        return std::string(tr("No short run met any light: if there is some, this plan may lose it."));
     if (!planned->loses.empty()) return told(fmt::format("This plan {}.", planned->loses));
     const auto shareOf = [](const std::optional<BeyondDepth>& missing, std::uint32_t followed) {
         return missing && missing->depth == followed ? missing->share : 0.0;

@@ -22,10 +22,10 @@ std::string raysOf(const RequirementsAnswer& answer) {
         text += way.estimator;
         if (!way.emitters.empty()) text += joined(" (", way.emitters, ")");
         if (rouletteOf(candidate.plan) > 0) text += " with roulette";
-        const bool dark = candidate.pilot.mean == 0.0;
-        text += dark              ? std::string(" meets no light")
-                : candidate.lacks ? std::string(" meets less light")
-                                  : joined(" ", words::number(candidate.pilot.raysTo(answer.tolerance), 3));
+        // What it doesn't meet it never will, in so few rays.
+        const bool never = candidate.lacks || candidate.pilot.mean == 0.0;
+        text += never ? std::string(" \u221e")
+                      : joined(" ", words::number(candidate.pilot.raysTo(answer.tolerance), 3));
     }
     return text;
 }

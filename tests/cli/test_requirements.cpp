@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
 
 #include "result_files.h"
 #include "run_program.h"
@@ -203,6 +204,22 @@ TEST_CASE("requirements: chains of mirrors that are not followed are told with t
     CHECK(asked({room})["loses"].is_null());
     CHECK(asked({room, "--force", "specular=off"})["loses"].get<std::string>().find(
               "more than 0 mirror and glass events in a row, which are not followed, bring ") == 0);
+}
+
+TEST_CASE("requirements: where no short run meets light this is told, and not that nothing is missing") {
+    const TemporaryFolder folder;
+    const std::string scene = folder / "dark.toml";
+    std::ofstream(scene)
+        << "[material.silver]\ntype = 'mirror'\n[[box]]\nname = 'room'\nmin = [0, 0]\nmax = [2, 1]\n"
+           "facing = 'in'\n[[segment]]\na = [0.3, 0.3]\nb = [0.3, 0.6]\nmaterial = 'silver'\n"
+           "[[box]]\nmin = [1, 0.4]\nmax = [1.4, 0.8]\n[[segment]]\nname = 'lamp'\na = [1.3, 0.7]\n"
+           "b = [1.1, 0.7]\nemission = 1\n[eye]\nposition = [0.1, 0.1]\ndirection = [1, 1]\n";
+    const Json answer = asked({scene});
+    CHECK(answer["loses"] == "no short run met any light; if there is some, the plan may lose it");
+    CHECK(rowOf(answer, "bounces")["reason"].get<std::string>().find("nothing is known of it") !=
+          std::string::npos);
+    CHECK(rowOf(answer, "light-sampling")["reason"].get<std::string>().find(
+              "path (hit) with roulette \u221e") != std::string::npos);
 }
 
 TEST_CASE("requirements: reasons are true, whatever is forced away") {

@@ -329,6 +329,17 @@ TEST_CASE("trade: a reference of one's own is used, with its error") {
     refused({}, "small_lamp_room.toml", "is a picture of another scene");
 }
 
+TEST_CASE("trade: a reference by an estimator with a bias is told") {
+    const TemporaryFolder folder;
+    const std::string file = folder / "rough.json";
+    REQUIRE(runProgram({"eye", shippedScene("diffuse_room.toml"), "--width", "8", "--samples", "8",
+                        "--estimator", "radiosity", "--param", "patches=8", "-o", file})
+                .exitCode == 0);
+    const Outcome outcome = runProgram(smallTrade({"--reference", file}));
+    REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
+    CHECK(outcome.out.find("it is by radiosity, which has a bias that no error tells") != std::string::npos);
+}
+
 TEST_CASE("trade: the truth is the deepest that is compared") {
     const TemporaryFolder folder;
     const std::string out = folder / "depths";

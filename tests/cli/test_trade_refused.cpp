@@ -1,6 +1,8 @@
 // Is a trade that makes no sense refused before any work, with exit code 2 and one clear line?
 #include <doctest/doctest.h>
 
+#include <sys/stat.h>
+
 #include <fstream>
 
 #include "refusals.h"
@@ -148,6 +150,10 @@ TEST_CASE("trade refused: what a folder holds is not believed blindly") {
     for (const char* place : {"/mean/0/0", "/standardError", "/relativeError", "/groups/0/0/1", "/groups/0"})
         for (const Json& value : {Json(-1e-9), Json(1e308), Json(nullptr), Json("x")})
             checkDamaged("reference.json", place, value);
+    // What is no file: nobody waits for it.
+    fs::remove(fs::path(out) / cell);
+    REQUIRE(::mkfifo((fs::path(out) / cell).c_str(), 0600) == 0);
+    checkRefused(small, "0001.json: is no file that can be read");
     // A folder where a file should be.
     fs::remove(fs::path(out) / cell);
     fs::create_directory(fs::path(out) / cell);

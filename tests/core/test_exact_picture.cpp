@@ -98,3 +98,31 @@ TEST_CASE("exact picture: it can be called off") {
     const Reference reference(index, 1);
     CHECK_THROWS_AS(exactPicture(reference, Profile{{0}, 8}, 0, [] { return true; }), Stopped);
 }
+
+TEST_CASE("exact picture: in narrow gaps it is what every point gets, and never below zero") {
+    // A lamp that almost lies on the ceiling of a white box: behind it nearly nothing arrives.
+    for (const double gap : {0.03, 0.01, 0.001}) {
+        Scene scene = polygonRoom({{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}}, Rgb(1.0));
+        addWall(scene, {0.6, 1.0 - gap}, {0.4, 1.0 - gap}, Rgb(1.0), Rgb(1.0));
+        const SegmentIndex index(scene);
+        const Reference reference(index, 2);
+        constexpr std::uint32_t kBins = 32;
+        const Profile ceiling{{2}, kBins};
+        const std::vector<Rgb> bins = exactPicture(reference, ceiling, 1);
+        double squares = 0.0, mean = 0.0;
+        for (std::uint32_t bin = 0; bin < kBins; ++bin) {
+            constexpr int kPoints = 40;
+            double sum = 0.0;
+            for (int i = 0; i < kPoints; ++i)
+                sum +=
+                    reference.irradiance(shadedPointOn(index, 2, (bin + (i + 0.5) / kPoints) / kBins), 1).x /
+                    kPoints;
+            squares += (bins[bin].x - sum) * (bins[bin].x - sum) / kBins;
+            mean += sum / kBins;
+            CHECK(bins[bin].x > -1e-5);
+        }
+        CAPTURE(gap);
+        CHECK(std::sqrt(squares) < 2e-3 * mean);
+        CHECK(reference.interpolationError(ceiling.segments, 1) < 1e-3 * mean);
+    }
+}

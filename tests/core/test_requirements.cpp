@@ -1,7 +1,9 @@
 // Are the facts right on which plans stand: how many mirrors in a row, how many bounces, what is refused?
 #include <doctest/doctest.h>
 
+#include "core/requirements/bounce_findings.h"
 #include "core/requirements/costs.h"
+#include "core/requirements/series.h"
 #include "rooms.h"
 #include "support.h"
 
@@ -252,4 +254,78 @@ TEST_CASE("requirements: skipping bounces costs the light that they bring") {
     CHECK(fewer);
     CHECK(costs.everything.plan.estimator->id == "bidirectional");
     CHECK(std::abs(costs.everything.change) < 5.0 * costs.everything.changeError + 0.005);
+}
+
+TEST_CASE("requirements: a way that met no light has no noise, and is not chosen for it") {
+    // A lamp of a micrometre: no path meets it by chance.
+    Scene scene = polygonRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.5}, {0.0, 1.5}}, Rgb(0.5));
+    addWall(scene, {1.0 + 5e-7, 1.2}, {1.0 - 5e-7, 1.2}, Rgb(0.5), Rgb(4e6));
+    for (const bool mirror : {false, true}) {
+        if (mirror) addMirror(scene, {0.3, 0.5}, {0.3, 0.9});
+        const RequirementsAnswer answer = ask(scene);
+        CHECK_FALSE(answer.dark);
+        CHECK(answer.plan.way.emitters != "hit");
+        for (const Candidate& candidate : answer.candidates) {
+            if (candidate.plan.way.emitters == "hit") CHECK(candidate.lacks);
+            if (candidate.chosen) CHECK(candidate.pilot.mean > 0.1);
+        }
+    }
+}
+
+TEST_CASE("requirements: where no short run meets light, nothing is said to be known") {
+    Scene scene = polygonRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.5}, {0.0, 1.5}}, Rgb(0.5));
+    addMirror(scene, {0.3, 0.5}, {0.3, 0.9});
+    // A lamp in a box of its own.
+    const std::vector<Vec2> box{{1.0, 0.5}, {1.0, 1.0}, {1.5, 1.0}, {1.5, 0.5}};
+    for (std::size_t i = 0; i < box.size(); ++i) addWall(scene, box[i], box[(i + 1) % box.size()]);
+    addWall(scene, {1.3, 0.8}, {1.2, 0.8}, Rgb(0.5), Rgb(1.0));
+    const RequirementsAnswer answer = ask(scene);
+    CHECK(answer.dark);
+    CHECK(answer.bounces.dark);
+    CHECK(answer.plan.way.estimator == "bidirectional");
+    CHECK(answer.plan.maxDepth == 4 * *answer.bounces.byAlbedo);
+}
+
+TEST_CASE("requirements: what a mix mirrors is scattered later") {
+    const auto room = [](double weight, double albedo, double reflectance) {
+        Scene scene = polygonRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.5}, {0.0, 1.5}}, Rgb(0.5));
+        scene.materials[0] = Mix{Diffuse{Rgb(albedo)}, Mirror{Rgb(reflectance)}, weight};
+        addWall(scene, {1.1, 1.4}, {0.9, 1.4}, Rgb(0.0), Rgb(4.0));
+        return scene;
+    };
+    // Mirrored again and again, half of it each time: in the end all is scattered.
+    CHECK(factsOf(room(0.5, 1.0, 1.0)).mostAlbedo == doctest::Approx(1.0));
+    CHECK(factsOf(room(0.5, 0.9, 0.8)).mostAlbedo == doctest::Approx(0.45 / (1.0 - 0.4)));
+    const Scene scene = room(0.5, 0.97, 0.99);
+    const SegmentIndex index(scene);
+    const Sensor sensor = EyeStrip{{{0.2, 0.2}, glm::normalize(Vec2(1.0, 0.36)), 1.0}, 8};
+    const RequirementsAnswer answer = requirementsOf({.index = index, .sensor = sensor});
+    CHECK(answer.plan.maxDepth > 32);
+    const auto series = seriesOf({.index = index, .sensor = sensor}, answer.plan.maxSpecular);
+    const Problem problem{.index = index, .sensor = sensor, .seed = 7};
+    const auto upTo = [&](std::uint32_t depth) {
+        Plan plan = series->plan;
+        plan.maxDepth = depth;
+        return pilot(problem, plan, {.rays = 0, .leastPasses = 4000, .mostPasses = 4000});
+    };
+    const Pilot all = upTo(300);
+    const BeyondDepth planned = shareBeyond(answer.plan.maxDepth, all, upTo(answer.plan.maxDepth));
+    CHECK(planned.share - 3.0 * planned.standardError <= kInitialTolerance);
+    const BeyondDepth once = shareBeyond(28, all, upTo(28));
+    CHECK(once.share - 3.0 * once.standardError > kInitialTolerance);
+}
+
+TEST_CASE("requirements: between depths that were measured, and beyond, light falls by the same share") {
+    BounceFindings bounces;
+    bounces.tolerance = 0.01;
+    bounces.measured = {{2, 0.4, 0.02}, {4, 0.1, 0.01}, {8, 0.05, 0.005}};
+    CHECK(shareBeyondDepth(bounces, 4)->share == 0.1);
+    CHECK(shareBeyondDepth(bounces, 3)->share == doctest::Approx(0.2));
+    CHECK(shareBeyondDepth(bounces, 3)->depth == 3);
+    CHECK(shareBeyondDepth(bounces, 12)->share == doctest::Approx(0.025));
+    CHECK(shareBeyondDepth(bounces, 12)->standardError == doctest::Approx(0.0025));
+    // What was enough is not made smaller.
+    bounces.tolerance = 0.1;
+    CHECK(shareBeyondDepth(bounces, 12)->depth == 8);
+    CHECK_FALSE(shareBeyondDepth(BounceFindings{}, 3));
 }

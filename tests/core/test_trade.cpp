@@ -403,6 +403,54 @@ TEST_CASE("trade: what says that it has no bias is believed until it is proved, 
         tradeReport({honest}, {1.0, 0.0, true, 1}, 0.05).verdicts[0].law.costOf(0.01, TradeCost::rays));
 }
 
+TEST_CASE("trade: the error of an exact truth is in the interval of the bias") {
+    const EstimatorInfo& radiosity = *findEstimator("radiosity");
+    const TradeReport report =
+        tradeReport({lawful(radiosity, 1.0, 0.05, 100, 1e-3)}, {1.0, 0.01, true, 1}, 0.05);
+    const TradeVerdict& verdict = report.verdicts[0];
+    CHECK(verdict.biasLow == doctest::Approx(0.04).epsilon(1e-3));
+    CHECK(verdict.biasHigh == doctest::Approx(0.06).epsilon(1e-3));
+    CHECK(verdict.careful.bias2 == doctest::Approx(0.06 * 0.06).epsilon(1e-3));
+}
+
+TEST_CASE("trade: levels where no pass met what is rare tell nothing of how the error falls") {
+    const std::vector<TradeLevel> levels{
+        {1, {1.0, 0.0}, 0}, {2, {1.0, 0.0}, 0}, {4, {4.0, 0.8}, 0}, {8, {2.0, 0.4}, 0}, {16, {1.0, 0.2}, 0}};
+    const auto exponent = exponentOf(levels);
+    REQUIRE(exponent);
+    CHECK(exponent->value == doctest::Approx(-0.5));
+    // Without noise in any of them all count.
+    const auto still = exponentOf({{1, {1.0, 0.0}, 0}, {2, {1.0, 0.0}, 0}, {4, {1.0, 0.0}, 0}});
+    REQUIRE(still);
+    CHECK(still->value == doctest::Approx(0.0));
+}
+
+TEST_CASE("trade: facets that change nothing add no doubt") {
+    const EstimatorInfo& path = *findEstimator("path");
+    TradeCell plain = lawful(path, 1.0, 0.1, 100, 1e-3);
+    plain.statistics.bias2.error = 0.01;  // not sure
+    plain.complete = true;
+    TradeCell facets = plain, other = plain;
+    facets.setting.facets = other.setting.facets = 0.25;
+    other.statistics.mean = 1.1;
+    const TradeReport report = tradeReport({plain, facets, other}, {1.0, 0.0, true, 1}, 0.05);
+    CHECK(report.verdicts[0].toTarget[0].has_value());
+    CHECK(report.verdicts[1].sameRunAs == std::size_t{0});
+    CHECK(report.verdicts[1].toTarget[0] == report.verdicts[0].toTarget[0]);
+    CHECK_FALSE(report.verdicts[2].sameRunAs);
+    CHECK_FALSE(report.verdicts[2].toTarget[0].has_value());
+}
+
+TEST_CASE("trade: what took a moment may have waited for others") {
+    const EstimatorInfo &path = *findEstimator("path"), &cast = *findEstimator("cast-ray");
+    const auto isNobody = [&](double seconds) {
+        const TradeCell fast = lawful(path, 1.0, 0.0, 100, seconds),
+                        slow = lawful(cast, 1.1, 0.0, 110, 3.0 * seconds);
+        return tradeReport({fast, slow}, {1.0, 0.0, true, 1}, 0.05).verdicts[1].nobody;
+    };
+    CHECK_FALSE(isNobody(1e-5));
+    CHECK(isNobody(1e-2));
+}
 TEST_CASE("trade: work that is called off leaves what was done") {
     std::uint64_t asked = 0;
     PassBudget budget;

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "app/pfm_image.h"
+#include "core/estimators.h"
 #include "lessons/input_error.h"
 
 namespace halfdisk {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/cli_actions.h"
+#include "app/cli_arguments.h"
 #include "app/cli_commands.h"
 #include "app/trade_job.h"
 #include "app/trade_request.h"

@@ -15,6 +15,7 @@ namespace halfdisk {
 namespace {
 
 constexpr std::size_t kWidth = 100;  // columns
+constexpr std::string_view kDark = "no short run met any light; if there is some, the plan may lose it";
 constexpr std::array<std::string_view, 3> kGrounds{"proof", "measurement", "force"};
 
 /// Words in lines that start at a column; the first line is there already.
@@ -122,7 +123,7 @@ Json candidatesJson(const RequirementsAnswer& answer, const SegmentIndex& index)
 /// Empty, or that light is missing, or may be.
 std::string lostSentence(const RequirementsAnswer& answer) {
     const std::string lost = lostWords(answer);
-    return lost.empty() || answer.dark ? lost : "light is missing: " + lost;
+    return lost.empty() || lost == kDark ? lost : "light is missing: " + lost;
 }
 
 /// Of an answer that was called off: what was tried until then.
@@ -189,7 +190,6 @@ std::string explanation(const RequirementsAnswer& answer, const SegmentIndex& in
 }
 
 std::string lostWords(const RequirementsAnswer& answer) {
-    if (answer.dark) return "no short run met any light; if there is some, the plan may lose it";
     std::vector<std::string> lost;
     if (!answer.loses.empty()) lost.push_back(fmt::format("the plan {}", answer.loses));
     const auto add = [&](const std::optional<BeyondDepth>& missing, std::uint32_t followed,
@@ -200,6 +200,7 @@ std::string lostWords(const RequirementsAnswer& answer) {
     };
     add(answer.specular.missing, answer.plan.maxSpecular, "mirror and glass events in a row");
     add(answer.bounces.missing, answer.plan.maxDepth, "scatterings");
+    if (lost.empty() && answer.dark) return std::string(kDark);
     return fmt::format("{}", fmt::join(lost, "; "));
 }
 

@@ -103,7 +103,7 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
     bounces.tolerance = question.tolerance;
     if (const auto series = seriesOf(question, maxSpecular)) {
         bounces.measured = measured(question, *series, facts.mostAlbedo, rays);
-        bounces.dark = bounces.measured.empty();
+        bounces.dark = bounces.measured.empty() && !bounces.patches;
     }
     if (bounces.patches) {
         // All of them are there, those too that chance rarely finds.

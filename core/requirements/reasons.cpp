@@ -67,6 +67,8 @@ bool isAllCarried(const RequirementsQuestion& question, const RequirementsAnswer
     });
 }
 
+constexpr const char* kDark = "no way that was tried met any light: the one that looks in most ways is taken";
+
 template <class Is>
 std::string factor(const RequirementsAnswer& answer, const Is& is, const std::string& with,
                    const std::string& without) {
@@ -94,6 +96,7 @@ std::string lightSamplingReason(const RequirementsAnswer& answer) {
         return "direct light alone, nothing in its way: a formula gives it";
     if (answer.facts.traits.delta && !answer.plan.way.lightPass)
         return "lights without size can't be met by chance: they must be asked";
+    if (answer.dark) return kDark;
     const auto asks = [&](const Candidate& candidate) { return candidate.plan.way.lightSampling; };
     return byRays(answer,
                   orElse(factor(answer, asks, "asking lights", "not asking lights"), agreeing(answer)));
@@ -113,6 +116,7 @@ std::string misReason(const RequirementsAnswer& answer) {
                "it by chance must share it";
     if (answer.plan.way.estimator == "closed-form")
         return "a formula gives all the light: nothing is weighed";
+    if (answer.dark) return kDark;
     const auto weighs = [](const Candidate& candidate) { return candidate.plan.way.mis; };
     return orElse(factor(answer, weighs, "weighing two ways", "one way alone"), agreeing(answer));
 }
@@ -129,6 +133,7 @@ std::string lightPassReason(const RequirementsQuestion& question, const Requirem
         return "lights without size are not asked, and paths from the sensor never meet them";
     if (!isAllCarried(question, answer, [](const Way& way) { return !way.lightPass; }))
         return "paths from the sensor don't find all light";
+    if (answer.dark) return kDark;
     const auto sends = [](const Candidate& candidate) { return candidate.plan.way.lightPass; };
     if (!has.specular || !question.forced.empty() || answer.candidates.size() > 1)
         return orElse(
@@ -158,6 +163,7 @@ std::string rouletteReason(const RequirementsAnswer& answer) {
     const Candidate *on = nullptr, *off = nullptr;
     for (const Candidate& candidate : answer.candidates)
         if (candidate.plan.way == answer.plan.way) (ends(candidate) ? on : off) = &candidate;
+    if (answer.dark) return kDark;
     if (!on) return "ending paths by chance was not tried";
     if (!off) return "following paths to their end was not tried";
     if (on->lacks) return "ending paths by chance met less light";

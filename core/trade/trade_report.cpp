@@ -83,8 +83,9 @@ std::optional<double> leastFactor(const TradeLaw& law, const std::vector<double>
 void findSameLight(std::vector<TradeCell>& timed) {
     for (TradeCell& cell : timed)
         for (const TradeCell& other : timed) {
-            if (!isSameLight(cell, other) || other.setting.facets != 1.0) continue;
-            cell.setting.facets = 1.0;
+            if (!isSameLight(cell, other)) continue;
+            // Where two numbers of facets are the same, nothing is round.
+            if (cell.setting.facets != other.setting.facets) cell.setting.facets = 1.0;
             if (precisionOf(other.setting.index) == Precision::twice)
                 cell.setting.index = other.setting.index;
         }

@@ -437,6 +437,10 @@ TEST_CASE("trade: facets that change nothing add no doubt") {
     CHECK(report.verdicts[0].toTarget[0].has_value());
     CHECK(report.verdicts[1].sameRunAs == std::size_t{0});
     CHECK(report.verdicts[1].toTarget[0] == report.verdicts[0].toTarget[0]);
+    // Without the scene itself among them, two that agree tell the same.
+    TradeCell more = facets;
+    more.setting.facets = 4.0;
+    CHECK(tradeReport({facets, more}, {1.0, 0.0, true, 1}, 0.05).verdicts[0].toTarget[0].has_value());
     CHECK_FALSE(report.verdicts[2].sameRunAs);
     CHECK_FALSE(report.verdicts[2].toTarget[0].has_value());
 }

@@ -11,6 +11,9 @@ struct NearestWall {
     double distance = kInfinity;  ///< m
 };
 
+/// From a to b. One without length is a point.
+NearestWall nearestOnStretch(Vec2 a, Vec2 b, Vec2 P);
+
 /// The point of one wall that is nearest to P.
 NearestWall nearestOn(const Scene& scene, std::uint32_t segment, Vec2 P);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "arc_measure.h"
+#include "nearest_wall.h"
 #include "quadrature.h"
 #include "wall_contacts.h"
 
@@ -14,12 +15,6 @@ namespace {
 
 // Panels along a stretch of wall, finer towards its ends, where light from an adjoining wall bends most.
 constexpr std::array kPanelEnds{0.0, 0.02, 0.1, 0.3, 0.7, 0.9, 0.98, 1.0};
-
-/// From a point to a stretch of wall.
-double distanceTo(Vec2 P, Vec2 a, Vec2 b) {
-    const double u = std::clamp(glm::dot(P - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
-    return glm::length(P - (a + u * (b - a)));
-}
 
 /// Panels are halved until none is longer than half its distance to a corner in front of the wall: beside it
 /// what the other wall sends, or takes away, changes over such a distance. What touches the wall has its
@@ -38,7 +33,7 @@ std::vector<double> refined(const std::vector<double>& ends, const Segment& wall
     const auto add = [&](const auto& self, double from, double to, int halvings) -> void {
         const Vec2 a = wall.a + from * edge, b = wall.a + to * edge;
         const bool tooLong = std::any_of(near.begin(), near.end(), [&](Vec2 corner) {
-            return 0.5 * distanceTo(corner, a, b) < (to - from) * length;
+            return 0.5 * nearestOnStretch(a, b, corner).distance < (to - from) * length;
         });
         if (!tooLong || halvings == 0 || all.size() > kMostPanels) {
             all.push_back(to);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/nearest_wall.h"
 #include "core/overload.h"
 #include "core/requirements/words.h"
 
@@ -107,9 +108,7 @@ void boundChain(const Scene& scene, SceneFacts& facts) {
 }
 
 double distanceTo(Vec2 P, const Segment& wall) {
-    const Vec2 along = wall.b - wall.a;
-    const double u = std::clamp(glm::dot(P - wall.a, along) / glm::dot(along, along), 0.0, 1.0);
-    return glm::length(P - (wall.a + u * along));
+    return nearestOnStretch(wall.a, wall.b, P).distance;
 }
 
 /// How far it rises above the lamp's line on the side where that shines, m.

@@ -100,9 +100,8 @@ Json bouncesJson(const BounceFindings& bounces) {
     object["byRadius"] = bounces.byRadius ? Json(*bounces.byRadius) : Json();
     object["spectralRadius"] = bounces.patches ? jsonOf(bounces.patches->spectralRadius) : Json();
     object["patches"] = bounces.patches ? Json(bounces.patches->patches) : Json();
-    object["byPatches"] = Json::array();
-    if (bounces.patches)
-        for (const double share : bounces.patches->beyond) object["byPatches"].push_back(jsonOf(share));
+    object["byPatches"] =
+        sharesJson(bounces.patches ? bounces.patches->beyond : std::vector<BeyondDepth>());
     object["measured"] = sharesJson(bounces.measured);
     return object;
 }

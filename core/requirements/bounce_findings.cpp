@@ -64,9 +64,8 @@ std::uint32_t depthOf(const std::vector<BeyondDepth>& shares, double tolerance) 
 
 std::optional<BeyondDepth> shareBeyondDepth(const BounceFindings& bounces, std::uint32_t depth) {
     if (bounces.patches) {
-        const std::vector<double>& beyond = bounces.patches->beyond;
-        const std::size_t known = std::min<std::size_t>(depth, beyond.size() - 1);
-        return BeyondDepth{static_cast<std::uint32_t>(known), beyond[known], 0.0};
+        const std::vector<BeyondDepth>& beyond = bounces.patches->beyond;
+        return beyond[std::min<std::size_t>(depth, beyond.size() - 1)];
     }
     const std::vector<BeyondDepth>& shares = bounces.measured;
     if (shares.empty()) return std::nullopt;
@@ -107,9 +106,8 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
     }
     if (bounces.patches) {
         // All of them are there, those too that chance rarely finds.
-        bounces.depth = static_cast<std::uint32_t>(bounces.patches->beyond.size() - 1);
-        bounces.required = bounces.depth;
-        bounces.missing = {bounces.depth, bounces.patches->beyond.back(), 0.0};
+        bounces.missing = bounces.patches->beyond.back();
+        bounces.required = bounces.depth = bounces.missing->depth;
         return bounces;
     }
     // So much later is noise, whatever short runs say: the albedo bounds the light of the whole room, and a

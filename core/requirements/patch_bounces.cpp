@@ -1,21 +1,22 @@
 #include "core/requirements/patch_bounces.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
 #include "core/form_factors.h"
 #include "core/radiosity_system.h"
-#include "core/rng.h"
+#include "core/requirements/sensor_view.h"
 
 namespace halfdisk {
 namespace {
 
-constexpr std::size_t kMostWalls = 100;  // the form factors take n^3
-constexpr std::uint32_t kPatches = 120;
+constexpr std::size_t kMostWalls = 100;                    // the form factors take n^3
+constexpr std::size_t kPatches = 120, kMostPatches = 500;  // at first; at most
+constexpr double kSmall = 0.1;  // of the tolerance: an error that more patches need not mend
 constexpr std::uint32_t kMostBounces = 1000;
-constexpr std::uint32_t kPlaces = 512;  // of the sensor that are asked what they see
 
 /// One number for each patch.
 using Row = std::vector<double>;
@@ -41,35 +42,6 @@ class Exchange {
     const Patches& patches_;
     ExchangeLengths lengths_;
 };
-
-/// How often each patch is what the sensor measures: the patch that a place lies on, or the one that it sees.
-Row weightsOf(const Sensor& sensor, const SegmentIndex& index, const Patches& patches) {
-    Row weights(patches.size());
-    const Rng rng = Rng(1, 0);
-    const std::uint32_t pixels = pixelCount(sensor);
-    const Receivers receivers(sensor, index);
-    const auto isLit = [&](std::uint32_t segment, bool front) {
-        const Patches::Range range = patches.of(segment, front);
-        return range.first < range.end;
-    };
-    for (std::uint32_t k = 0; k < kPlaces; ++k) {
-        const std::uint32_t pixel = static_cast<std::uint32_t>(std::uint64_t{k} * pixels / kPlaces);
-        const Receiver receiver = receivers.draw(pixel, rng.uniform(k, 0), rng.uniform(k, 1));
-        if (receiver.covered) continue;
-        if (receiver.weighing == Weighing::cosine && receiver.at.segment != kNoSegment) {
-            const Segment& wall = index.scene().segments[receiver.at.segment];
-            const double u = glm::dot(receiver.at.P - wall.a, wall.b - wall.a) /
-                             glm::dot(wall.b - wall.a, wall.b - wall.a);
-            const bool front = glm::dot(receiver.at.N, index.normal(receiver.at.segment)) > 0.0;
-            if (isLit(receiver.at.segment, front))
-                ++weights[patches.at(receiver.at.segment, front, std::clamp(u, 0.0, 1.0))];
-            continue;
-        }
-        const Hit hit = index.closestHit(sightFrom(receiver, index, rng.uniform(k, 2)).ray);
-        if (hit && isLit(hit.segment, hit.front)) ++weights[patches.at(hit.segment, hit.front, hit.u)];
-    }
-    return weights;
-}
 
 /// Largest factor by which A = rho F makes a positive row grow, in the end.
 double spectralRadiusOf(const Exchange& exchange, const Patches& patches, const Row& albedo,
@@ -104,65 +76,106 @@ double spectralRadiusOf(const Exchange& exchange, const Patches& patches, const 
     return below > 0.0 ? above / below : 0.0;
 }
 
-struct Sums {
-    double mean = 0.0, square = 0.0;
+/// Light at the sensor, of one channel.
+struct ByScatterings {
+    Row after;             ///< [k]: of light that was scattered exactly k times
+    double endless = 0.0;  ///< of all that was scattered more often
 };
 
-Sums sumsOf(const Row& light, const Row& weights) {
-    Sums sums;
-    for (std::size_t i = 0; i < light.size(); ++i) {
-        sums.mean += weights[i] * light[i];
-        sums.square += weights[i] * light[i] * light[i];
-    }
-    return sums;
+/// `now` and `later` as in SensorView.
+double sensed(const SensorView& view, int channel, const Row& now, const Row& later) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < now.size(); ++i)
+        sum += view.now[i][channel] * now[i] + view.later[i][channel] * later[i];
+    return sum;
 }
 
-/// Adds to `sum`, the light of all scatterings up to the last two, what all others would bring: the light
-/// falls by a fixed share every two of them, for the other half of an exchange between two walls alternates.
-/// Nearly all of it if it never falls.
-void addEndless(Row& sum, const Row& last, const Row& before, double share) {
-    constexpr double kNever = 1.0 - 1e-12;
-    const double further = std::min(share, kNever) / (1.0 - std::min(share, kNever));
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += further * (last[i] + before[i]);
+double sumOf(const Row& light) {
+    return std::accumulate(light.begin(), light.end(), 0.0);
 }
 
-/// beyond[D] of one channel.
-Row beyondOf(const Exchange& exchange, const Row& albedo, const Row& direct, const Row& weights,
-             double tolerance, const StopQuestion& stop) {
-    const double places = std::accumulate(weights.begin(), weights.end(), 0.0);
-    // Light that arrives after exactly k scatterings, and the sums of all up to there.
-    std::vector<Row> upTo{direct};
-    Row light = direct, before, beforeThat;
-    bool settled = false;
-    for (std::uint32_t k = 1; k <= kMostBounces && !settled; ++k) {
+ByScatterings follow(const Exchange& exchange, const SensorView& view, int channel, const Row& albedo,
+                     Row light, double tolerance, const StopQuestion& stop) {
+    ByScatterings found{{view.straight[channel]}};
+    double all = found.after.front();
+    const Row ones(light.size(), 1.0);
+    const double mostSensed = sensed(view, channel, ones, ones);
+    Row before = light, beforeThat;
+    for (std::uint32_t k = 1; k <= kMostBounces; ++k) {
         throwIfStopped(stop);
         beforeThat = std::exchange(before, light);
         for (std::size_t i = 0; i < light.size(); ++i) light[i] *= albedo[i];
         light = exchange.arriving(light);
-        Row sum = upTo.back();
-        for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += light[i];
-        upTo.push_back(std::move(sum));
+        found.after.push_back(sensed(view, channel, light, before));
+        all += found.after.back();
         // Nowhere in the room, not only at the sensor: a bounce may bring it nothing, and the next one a lot.
         const double most = *std::max_element(light.begin(), light.end());
-        settled = most <= 1e-3 * tolerance * sumsOf(upTo.back(), weights).mean / places;
+        if (most * mostSensed <= 1e-3 * tolerance * all) return found;
     }
-    Row endless = upTo.back();
-    if (!settled) {
-        const double now = std::accumulate(light.begin(), light.end(), 0.0),
-                     then = std::accumulate(beforeThat.begin(), beforeThat.end(), 0.0);
-        addEndless(endless, light, before, now / then);
+    // It falls by a fixed share every two scatterings, for the other half of an exchange between two walls
+    // alternates. Nearly all of it is left if it never falls.
+    constexpr double kNever = 1.0 - 1e-12;
+    const double share = std::min(sumOf(light) / sumOf(beforeThat), kNever);
+    found.endless = share / (1.0 - share) * (*(found.after.end() - 1) + *(found.after.end() - 2));
+    return found;
+}
+
+/// By one division into patches.
+struct Division {
+    std::size_t patches = 0;
+    double spectralRadius = 0.0;
+    Row beyond;  ///< [D]: share of the light, of all channels, that is scattered more often
+};
+
+Division divisionOf(const Visibility& visibility, const Patches& patches, const Sensor& sensor,
+                    double tolerance, const StopQuestion& stop) {
+    const SegmentIndex& index = visibility.index();
+    const Exchange exchange(visibility, patches, stop);
+    std::vector<Rgb> direct;
+    for (const Patch& patch : patches.all()) direct.push_back(meanDirect(visibility, patch));
+    std::array<Row, 3> albedo;
+    for (int channel = 0; channel < 3; ++channel) {
+        Row emitted;
+        for (const Patch& patch : patches.all()) {
+            albedo[channel].push_back(std::get<Diffuse>(index.material(patch.segment)).albedo[channel]);
+            emitted.push_back(2.0 * index.scene().segments[patch.segment].emission[channel]);
+        }
+        const Row byLamps = exchange.arriving(emitted);
+        for (std::size_t i = 0; i < byLamps.size(); ++i) direct[i][channel] += byLamps[i];
     }
-    const Sums all = sumsOf(endless, weights);
-    Row beyond;
-    for (const Row& sum : upTo) {
-        Row rest = endless;
-        for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= sum[i];
-        const Sums left = sumsOf(rest, weights);
-        beyond.push_back(all.mean > 0.0 ? std::max(left.mean / all.mean, std::sqrt(left.square / all.square))
-                                        : 0.0);
-        if (beyond.back() <= tolerance) break;
+    const SensorView view = viewOf(sensor, visibility, patches, direct, stop);
+    Division division{patches.size(), 0.0, {}};
+    Row after;
+    double endless = 0.0;
+    for (int channel = 0; channel < 3; ++channel) {
+        division.spectralRadius =
+            std::max(division.spectralRadius, spectralRadiusOf(exchange, patches, albedo[channel], stop));
+        Row arriving;
+        for (const Rgb& light : direct) arriving.push_back(light[channel]);
+        const ByScatterings found =
+            follow(exchange, view, channel, albedo[channel], std::move(arriving), tolerance, stop);
+        if (after.size() < found.after.size()) after.resize(found.after.size());
+        for (std::size_t k = 0; k < found.after.size(); ++k) after[k] += found.after[k];
+        endless += found.endless;
     }
-    return beyond;
+    const double all = sumOf(after) + endless;
+    if (!(all > 0.0)) return division;
+    double rest = endless;
+    division.beyond.resize(after.size());
+    for (std::size_t k = after.size(); k-- > 0; rest += after[k]) division.beyond[k] = rest / all;
+    return division;
+}
+
+/// What both tell, the finer one with the difference as its error.
+PatchBounces compared(const Division& half, const Division& whole, double tolerance) {
+    PatchBounces bounces{whole.spectralRadius, whole.patches, {}};
+    for (std::uint32_t depth = 0; depth < whole.beyond.size(); ++depth) {
+        const double share = whole.beyond[depth],
+                     byHalf = half.beyond[std::min<std::size_t>(depth, half.beyond.size() - 1)];
+        bounces.beyond.push_back({depth, share, std::abs(share - byHalf)});
+        if (isEnough(bounces.beyond.back(), tolerance)) break;
+    }
+    return bounces;
 }
 
 }  // namespace
@@ -171,34 +184,26 @@ std::optional<PatchBounces> patchBounces(const SegmentIndex& index, const Sensor
                                          const StopQuestion& stop) {
     if (index.scene().segments.size() > kMostWalls) return std::nullopt;
     const Visibility visibility(index, stop);
-    std::optional<Patches> patches;
-    try {
-        patches.emplace(visibility, kPatches, stop);
-    } catch (const std::invalid_argument&) {
-        return std::nullopt;
-    }
-    const Row weights = weightsOf(sensor, index, *patches);
-    if (std::all_of(weights.begin(), weights.end(), [](double weight) { return weight == 0.0; }))
-        return std::nullopt;
-    const Exchange exchange(visibility, *patches, stop);
-    PatchBounces bounces;
-    bounces.patches = patches->size();
-    std::vector<Rgb> straight;
-    for (const Patch& patch : patches->all()) straight.push_back(meanDirect(visibility, patch));
-    for (int channel = 0; channel < 3; ++channel) {
-        Row albedo, emitted;
-        for (const Patch& patch : patches->all()) {
-            albedo.push_back(std::get<Diffuse>(index.material(patch.segment)).albedo[channel]);
-            emitted.push_back(2.0 * index.scene().segments[patch.segment].emission[channel]);
+    const auto dividedInto = [&](std::size_t wanted) -> std::optional<Division> {
+        try {
+            const Patches patches(visibility, static_cast<std::uint32_t>(wanted), stop);
+            if (patches.size() > kMostPatches) return std::nullopt;
+            Division division = divisionOf(visibility, patches, sensor, tolerance, stop);
+            if (division.beyond.empty()) return std::nullopt;
+            return division;
+        } catch (const std::invalid_argument&) {
+            return std::nullopt;
         }
-        bounces.spectralRadius =
-            std::max(bounces.spectralRadius, spectralRadiusOf(exchange, *patches, albedo, stop));
-        Row direct = exchange.arriving(emitted);
-        for (std::size_t i = 0; i < direct.size(); ++i) direct[i] += straight[i][channel];
-        const Row beyond = beyondOf(exchange, albedo, direct, weights, tolerance, stop);
-        if (bounces.beyond.size() < beyond.size()) bounces.beyond.resize(beyond.size());
-        for (std::size_t i = 0; i < beyond.size(); ++i)
-            bounces.beyond[i] = std::max(bounces.beyond[i], beyond[i]);
+    };
+    std::optional<Division> half = dividedInto(kPatches / 2);
+    if (!half) return std::nullopt;
+    auto wanted = std::max(kPatches, 2 * half->patches);
+    std::optional<PatchBounces> bounces;
+    while (std::optional<Division> whole = dividedInto(wanted)) {
+        bounces = compared(*half, *whole, tolerance);
+        if (bounces->beyond.back().standardError <= kSmall * tolerance) break;
+        half = std::move(whole);
+        wanted *= 2;
     }
     return bounces;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/requirements/beyond_depth.h"
 #include "core/sensor.h"
 #include "core/stop.h"
 
@@ -15,14 +16,13 @@ struct PatchBounces {
     /// brings so much of the one before.
     double spectralRadius = 0.0;
     std::size_t patches = 0;
-    /// Share of the light at the sensor that comes after more than D scatterings, D = 0, 1, ...: the larger
-    /// one of means and of root mean squares over what the sensor sees. Until it is below the tolerance, or
-    /// 1000: of all light, that of still later scatterings too.
-    std::vector<double> beyond;
+    /// Of light at the sensor that is scattered more often than D = 0, 1, ... times: until that is surely no
+    /// more than the tolerance, or 1000. The errors: how much half as many patches differ.
+    std::vector<BeyondDepth> beyond;
 };
 
-/// Walls must be flat and diffuse. Empty where there are too many of them to wait for, and where the sensor
-/// sees no patch. Throws Stopped if `stop` says so.
+/// Walls must be flat and diffuse. Empty where there are too many of them to wait for, and where no light
+/// reaches the sensor. Throws Stopped if `stop` says so.
 std::optional<PatchBounces> patchBounces(const SegmentIndex& index, const Sensor& sensor, double tolerance,
                                          const StopQuestion& stop = {});
 

@@ -40,13 +40,6 @@ struct PathType {
     bool exists = false;
 };
 
-/// Light that is scattered more often than so many times, or meets more mirrors and glass in a row.
-struct BeyondDepth {
-    std::uint32_t depth = 0;
-    double share = 0.0;          ///< of all light at the sensor
-    double standardError = 0.0;  ///< 0: not drawn at random
-};
-
 /// What is known of chains of mirror and glass events.
 struct SpecularFindings {
     std::uint32_t required = 0;

@@ -58,8 +58,8 @@ Tail tailOf(const Pilot& all, const Pilot& twoThirds, const Pilot& third, double
     };
     const double likely = tail(last.mean, before.mean);
     const double most =
-        tail(last.mean + kSure * last.standardError, before.mean - kSure * before.standardError);
-    return {likely, (most - likely) / kSure};
+        tail(last.mean + kSureErrors * last.standardError, before.mean - kSureErrors * before.standardError);
+    return {likely, (most - likely) / kSureErrors};
 }
 
 BeyondDepth shareBeyond(std::uint32_t events, const Pilot& all, const Pilot& upTo, const Tail& tail) {
@@ -72,7 +72,8 @@ BeyondDepth shareBeyond(std::uint32_t events, const Pilot& all, const Pilot& upT
 
 std::string shareWords(const BeyondDepth& beyond, double tolerance) {
     std::string text = words::percent(beyond.share);
-    if (!(beyond.standardError > 0.0)) return text + " of the light";
+    constexpr double kTold = 0.01;  // of the share
+    if (beyond.standardError <= kTold * beyond.share) return text + " of the light";
     text += words::joined(" (± ", words::percent(beyond.standardError), ") of the light");
     if (isEnough(beyond, tolerance))
         text += words::joined(", with two standard errors added ", words::percent(mayMiss(beyond)));

@@ -100,8 +100,7 @@ Json bouncesJson(const BounceFindings& bounces) {
     object["byRadius"] = bounces.byRadius ? Json(*bounces.byRadius) : Json();
     object["spectralRadius"] = bounces.patches ? jsonOf(bounces.patches->spectralRadius) : Json();
     object["patches"] = bounces.patches ? Json(bounces.patches->patches) : Json();
-    object["byPatches"] =
-        sharesJson(bounces.patches ? bounces.patches->beyond : std::vector<BeyondDepth>());
+    object["byPatches"] = sharesJson(bounces.patches ? bounces.patches->beyond : std::vector<BeyondDepth>());
     object["measured"] = sharesJson(bounces.measured);
     return object;
 }
@@ -176,6 +175,11 @@ std::string requirementsText(const RequirementsAnswer& answer, const SegmentInde
     }
     text += "\nplan: " + wrapped(planLine(answer.plan, index), 6);
     if (const std::string lost = lostSentence(answer); !lost.empty()) text += "NOTE: " + wrapped(lost, 6);
+    if (const auto error = rareLight(answer))
+        text += "NOTE: " + wrapped(fmt::format("light is so rare here that the plan's short run knows it to "
+                                               "± {:.2g} % only: what is told above may be far off",
+                                               100.0 * *error),
+                                   6);
     text += fmt::format("found with {} rays in {:.2g} s\n", answer.rays, answer.seconds);
     return text;
 }
@@ -287,6 +291,8 @@ Json requirementsJson(const RequirementsAnswer& answer, const SegmentIndex& inde
     object["plan"] = isPlanned(answer) ? planJson(answer.plan, index) : Json();
     tellLost(answer, object);
     object["tried"] = candidatesJson(answer, index);
+    const auto rare = rareLight(answer);
+    object["lightKnownTo"] = rare ? jsonOf(*rare) : Json();
     object["rays"] = answer.rays;
     object["seconds"] = jsonOf(answer.seconds);
     return object;

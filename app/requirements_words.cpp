@@ -194,8 +194,10 @@ std::string adviceLacks(const AppState& state) {
     };
     const double share = shareOf(planned->bounces.missing, planned->plan.maxDepth) +
                          shareOf(planned->specular.missing, planned->plan.maxSpecular);
-    return share > kSeen ? say("It leaves out {:.2g} % of the light.", 100.0 * std::min(1.0, share))
-                         : std::string();
+    if (share > kSeen) return say("It leaves out {:.2g} % of the light.", 100.0 * std::min(1.0, share));
+    if (const auto error = rareLight(*planned))
+        return say("Light is rare here: the short run knows it to {:.2g} % only.", 100.0 * *error);
+    return {};
 }
 
 std::string forcedWords(const AppState& state) {

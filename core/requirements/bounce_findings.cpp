@@ -17,10 +17,7 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
                                   double mostAlbedo, std::uint64_t& rays) {
     const Problem problem{
         .index = question.index, .sensor = question.sensor, .seed = question.seed, .stop = question.stop};
-    const Pilot all =
-        pilot(problem, series.plan,
-              {.rays = static_cast<std::uint64_t>(question.effort * kSeriesRays), .leastPasses = 16});
-    rays += all.rays;
+    const Pilot all = deepestRun(question, series, rays);
     if (!(all.mean > 0.0)) return {};
     const auto upTo = [&](std::uint32_t depth) {
         Plan plan = series.plan;
@@ -34,7 +31,10 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
     std::vector<BeyondDepth> shares;
     for (const std::uint32_t depth : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u, 16u, 20u, 24u, 32u}) {
         if (depth >= series.deepest) break;
-        shares.push_back(shareBeyond(depth, all, upTo(depth), tail));
+        BeyondDepth beyond = shareBeyond(depth, all, upTo(depth), tail);
+        // Few paths that met rare light don't show what it becomes later: no more than walls may keep of it.
+        beyond.standardError = std::max(beyond.standardError, lightError(all) * std::pow(mostAlbedo, depth));
+        shares.push_back(beyond);
         if (isEnough(shares.back(), question.tolerance)) break;
     }
     return shares;
@@ -90,7 +90,7 @@ std::optional<BeyondDepth> shareBeyondDepth(const BounceFindings& bounces, std::
 }
 
 BounceFindings findBounces(const RequirementsQuestion& question, const SceneFacts& facts,
-                           std::uint32_t maxSpecular, std::uint64_t& rays) {
+                           const std::optional<Series>& series, std::uint64_t& rays) {
     BounceFindings bounces;
     bounces.byAlbedo = scatteringsUntil(facts.mostAlbedo, question.tolerance);
     if (facts.mostAlbedo == 0.0) return bounces;  // no wall scatters
@@ -100,7 +100,7 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
             bounces.byRadius = scatteringsUntil(bounces.patches->spectralRadius, question.tolerance);
     }
     bounces.tolerance = question.tolerance;
-    if (const auto series = seriesOf(question, maxSpecular)) {
+    if (series) {
         bounces.measured = measured(question, *series, facts.mostAlbedo, rays);
         bounces.dark = bounces.measured.empty() && !bounces.patches;
     }

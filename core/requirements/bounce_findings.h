@@ -5,9 +5,9 @@
 
 namespace halfdisk {
 
-/// `rays` is added to.
+/// `series` is followed as deep as its plan says. `rays` is added to.
 BounceFindings findBounces(const RequirementsQuestion& question, const SceneFacts& facts,
-                           std::uint32_t maxSpecular, std::uint64_t& rays);
+                           const std::optional<Series>& series, std::uint64_t& rays);
 
 /// What more than `depth` scatterings bring, as far as it is known: between two depths that were measured,
 /// and beyond the last one where that was not enough, as if light fell by the same share from each to the

@@ -28,6 +28,30 @@ struct Pilot {
     double secondsTo(double relativeError) const { return raysTo(relativeError) * secondsPerRay(); }
 };
 
+/// Relative standard error of the mean; infinite where no light was met.
+inline double lightError(const Pilot& run) {
+    return run.mean > 0.0 ? run.meanError / run.mean : kInfinity;
+}
+
+inline constexpr double kSurely = 3.0;  ///< standard errors
+
+inline double surelyBrought(const Pilot& run) {
+    return run.mean - kSurely * run.meanError;
+}
+
+/// Whether it brings surely less than what another surely does, or nothing.
+inline bool lacksLight(const Pilot& run, double surely) {
+    return run.mean == 0.0 || run.mean + kSurely * run.meanError < surely;
+}
+
+/// Whether its paths know the light, and are so long that joining them from both ends, each vertex with each
+/// and each weighed over all, would take too long.
+inline bool tooLongToJoin(const Pilot& run) {
+    constexpr double kKnown = 0.1, kLong = 50.0;  // rays
+    const double raysPerPath = static_cast<double>(run.rays) / static_cast<double>(run.paths);
+    return lightError(run) < kKnown && raysPerPath > kLong;
+}
+
 struct PilotLimits {
     std::uint64_t rays = 60'000;  ///< ends after the pass that reaches it
     std::uint64_t leastPasses = 8, mostPasses = 4096;

@@ -86,7 +86,7 @@ std::optional<BeyondDepth> missingChains(const RequirementsQuestion& question, c
                                      .seed = question.seed,
                                      .stop = question.stop,
                                      .effort = question.effort};
-    return beyondEvents(asked, answer.specular, answer.plan.maxSpecular, answer.rays);
+    return beyondEvents(asked, answer.specular, answer.series, answer.plan.maxSpecular, answer.rays);
 }
 
 /// Chooses the way, from what is known of the scene.
@@ -108,6 +108,14 @@ void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer
 }
 
 }  // namespace
+
+std::optional<double> rareLight(const RequirementsAnswer& answer) {
+    constexpr double kRare = 0.1;
+    for (const Candidate& candidate : answer.candidates)
+        if (candidate.chosen && candidate.pilot.mean > 0.0 && lightError(candidate.pilot) > kRare)
+            return lightError(candidate.pilot);
+    return std::nullopt;
+}
 
 RequirementsAnswer requirementsOf(const RequirementsQuestion& question) {
     RequirementsAnswer answer;
@@ -134,10 +142,11 @@ void findRequirements(const RequirementsQuestion& question, RequirementsAnswer& 
                                .seed = tried(question.seed),
                                .stop = question.stop,
                                .effort = question.effort};
-    answer.specular = findSpecular(first, answer.facts, answer.rays);
+    if (hasLight(answer)) answer.series = seriesOf(first, answer.facts.traits, answer.rays);
+    answer.specular = findSpecular(first, answer.facts, answer.series, answer.rays);
     first.tolerance -= specularShare(answer.specular, question.tolerance);
-    if (hasLight(answer))
-        answer.bounces = findBounces(first, answer.facts, answer.specular.required, answer.rays);
+    if (answer.series) answer.series->plan.maxSpecular = answer.specular.required;
+    if (hasLight(answer)) answer.bounces = findBounces(first, answer.facts, answer.series, answer.rays);
     choosePlan(question, answer);
 }
 

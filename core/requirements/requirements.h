@@ -40,6 +40,13 @@ struct PathType {
     bool exists = false;
 };
 
+/// A way that finds all light, to be followed deep.
+struct Series {
+    Plan plan;
+    std::uint32_t deepest;    ///< a multiple of 3
+    double rays = 100'000.0;  ///< of the deepest run
+};
+
 /// What is known of chains of mirror and glass events.
 struct SpecularFindings {
     std::uint32_t required = 0;
@@ -79,6 +86,7 @@ struct RequirementsAnswer {
     SceneFacts facts;
     std::vector<PathType> pathTypes;
     std::vector<Requirement> requirements;  ///< in the order of kRequirements
+    std::optional<Series> series;           ///< none: no way finds all light, or there is none
     SpecularFindings specular;
     BounceFindings bounces;
     std::vector<Candidate> candidates;
@@ -101,6 +109,10 @@ struct RequirementsAnswer {
 inline bool hasLight(const RequirementsAnswer& answer) {
     return answer.facts.traits.delta || answer.facts.traits.area;
 }
+
+/// Relative standard error to which the short run of the plan knows its light, where that is so large that
+/// light is rare there, and all that is measured is a rough guess.
+std::optional<double> rareLight(const RequirementsAnswer& answer);
 
 /// Throws std::invalid_argument, with words for the user, for sensors that can't be used, and if no way does
 /// what is forced; Stopped if question.stop says so.

@@ -1,6 +1,7 @@
 #include "core/requirements/series.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/requirements/words.h"
@@ -31,20 +32,56 @@ ParamValues shortParams(const Way& way, const SegmentIndex& index) {
 
 }  // namespace
 
-std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32_t maxSpecular) {
-    const auto with = [&](std::string_view id, bool mis, std::uint32_t deepest) -> std::optional<Series> {
-        for (const Way& way : allWays())
-            if (way.estimator == id && way.mis == mis &&
-                isComplete(way, question.index, question.sensor, deepest))
-                return Series{{findEstimator(id), shortParams(way, question.index), deepest, maxSpecular,
-                               IndexMethod::automatic, way},
-                              deepest};
-        return std::nullopt;
+std::optional<Series> seriesOf(const RequirementsQuestion& question, const SceneTraits& traits,
+                               std::uint64_t& rays) {
+    struct Depth {
+        std::string_view estimator;
+        bool mis;
+        std::uint32_t deepest;
     };
-    if (auto path = with("path", true, 48)) return path;
-    if (auto light = with("light", false, 48)) return light;
-    if (auto joined = with("bidirectional", true, 15)) return joined;
-    return with("photon-map", true, 24);
+    constexpr std::array kDepths{Depth{"path", true, 48}, Depth{"light", false, 48},
+                                 Depth{"bidirectional", true, 15}, Depth{"photon-map", true, 24}};
+    std::vector<Series> all;
+    for (const auto& [id, mis, deepest] : kDepths)
+        for (const Way& way : allWays())
+            if (way.estimator == id && way.mis == mis && (way.unbiased || all.empty()) &&
+                isComplete(way, question.index, question.sensor, deepest))
+                all.push_back(
+                    {{findEstimator(id), shortParams(way, question.index), deepest,
+                      static_cast<std::uint32_t>(kMaxSpecularInfo.initial), IndexMethod::automatic, way},
+                     deepest});
+    if (all.empty()) return std::nullopt;
+    if (!traits.specular || !traits.area) all.resize(1);
+    std::vector<Pilot> runs;
+    double surely = 0.0;
+    for (const Series& series : all) {
+        if (series.plan.way.estimator == "bidirectional" &&
+            std::any_of(runs.begin(), runs.end(), tooLongToJoin)) {
+            all.pop_back();
+            break;
+        }
+        runs.push_back(deepestRun(question, series, rays));
+        surely = std::max(surely, surelyBrought(runs.back()));
+    }
+    std::size_t best = 0;
+    constexpr double kClearly = 0.5;  // the others are less deep, or dearer
+    for (std::size_t k = 0; k < all.size(); ++k)
+        if (!lacksLight(runs[k], surely) &&
+            (lacksLight(runs[best], surely) || lightError(runs[k]) < kClearly * lightError(runs[best])))
+            best = k;
+    constexpr double kMost = 8.0;
+    const double ratio = lightError(runs[best]) / question.tolerance;
+    all[best].rays *= std::clamp(ratio * ratio, 1.0, kMost);
+    return all[best];
+}
+
+Pilot deepestRun(const RequirementsQuestion& question, const Series& series, std::uint64_t& rays) {
+    const Problem problem{
+        .index = question.index, .sensor = question.sensor, .seed = question.seed, .stop = question.stop};
+    Pilot run = pilot(problem, series.plan,
+                      {.rays = static_cast<std::uint64_t>(question.effort * series.rays), .leastPasses = 16});
+    rays += run.rays;
+    return run;
 }
 
 Tail tailOf(const Pilot& all, const Pilot& twoThirds, const Pilot& third, double mostRatio) {

@@ -6,14 +6,6 @@
 
 namespace halfdisk {
 
-inline constexpr double kSeriesRays = 100'000.0;
-
-/// A way that finds all light, to be followed deep.
-struct Series {
-    Plan plan;
-    std::uint32_t deepest;  ///< a multiple of 3
-};
-
 /// Light beyond the deepest paths that were followed.
 struct Tail {
     double light = 0.0;  ///< in the units of Pilot::mean
@@ -31,8 +23,14 @@ Difference differenceOf(const Pilot& all, const Pilot& upTo);
 /// `mostRatio`: what walls may keep over a third. The three runs have the same passes.
 Tail tailOf(const Pilot& all, const Pilot& twoThirds, const Pilot& third, double mostRatio);
 
-/// Nothing if no way finds all light.
-std::optional<Series> seriesOf(const RequirementsQuestion& question, std::uint32_t maxSpecular);
+/// Where light comes by mirrors or glass, the way that knows it best after a short run, for paths may hardly
+/// ever meet it; with more rays where it is rare all the same. Nothing if no way finds all light. `rays` is
+/// added to.
+std::optional<Series> seriesOf(const RequirementsQuestion& question, const SceneTraits& traits,
+                               std::uint64_t& rays);
+
+/// Its deepest run.
+Pilot deepestRun(const RequirementsQuestion& question, const Series& series, std::uint64_t& rays);
 
 /// Of the light of `all` and beyond, what is not in `upTo`, which has the same passes, cut after so many
 /// events.

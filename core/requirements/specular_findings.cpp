@@ -31,7 +31,7 @@ class Chains {
                    .stop = question.stop},
           plan_(series.plan),
           rays_(rays) {
-        const auto most = static_cast<std::uint64_t>(question.effort * kSeriesRays);
+        const auto most = static_cast<std::uint64_t>(question.effort * series.rays);
         first_ = run(events, {.rays = most, .leastPasses = 16});
     }
 
@@ -61,7 +61,7 @@ class Chains {
 // what they bring. That mirrors swallow nearly all of a chain's light is no bound for the sensor's, which may
 // be made of nothing else: it only says where to begin.
 SpecularFindings findSpecular(const RequirementsQuestion& question, const SceneFacts& facts,
-                              std::uint64_t& rays) {
+                              const std::optional<Series>& series, std::uint64_t& rays) {
     SpecularFindings found;
     if (facts.longestChain && *facts.longestChain <= kMost) {
         found.required = *facts.longestChain;
@@ -70,8 +70,7 @@ SpecularFindings findSpecular(const RequirementsQuestion& question, const SceneF
     const std::uint32_t least = leastOf(facts, question.tolerance);
     found.required = least;
     if (facts.glass == 0 && facts.mostReflectance <= 0.0) return found;
-    const auto series = seriesOf(question, least);
-    if (!series || !(facts.traits.delta || facts.traits.area)) return found;
+    if (!series) return found;
     Chains chains(question, *series, least, rays);
     if (chains.first().cut == 0) {
         found.measured.push_back({least, 0.0, 0.0});
@@ -99,13 +98,12 @@ Tail endlessChains(const Pilot& all, const Pilot& half) {
 }
 
 std::optional<BeyondDepth> beyondEvents(const RequirementsQuestion& question,
-                                        const SpecularFindings& specular, std::uint32_t events,
-                                        std::uint64_t& rays) {
+                                        const SpecularFindings& specular, const std::optional<Series>& series,
+                                        std::uint32_t events, std::uint64_t& rays) {
     if (events >= specular.required) {
         if (specular.measured.empty()) return std::nullopt;
         return specular.measured.back();
     }
-    const auto series = seriesOf(question, specular.required);
     if (!series) return std::nullopt;
     Chains chains(question, *series, specular.required, rays);
     BeyondDepth beyond = shareBeyond(events, chains.first(), chains.upTo(events));

@@ -9,7 +9,7 @@ namespace halfdisk {
 
 /// `rays` is added to. Throws Stopped.
 SpecularFindings findSpecular(const RequirementsQuestion& question, const SceneFacts& facts,
-                              std::uint64_t& rays);
+                              const std::optional<Series>& series, std::uint64_t& rays);
 
 /// Light of chains that are longer than those of `all`. As bright, path by path, as what ended between `half`
 /// and there: of paths that were cut at half the events, and no longer are in `all`, it is known what they
@@ -19,8 +19,8 @@ Tail endlessChains(const Pilot& all, const Pilot& half);
 /// Of all light, what more than so many events bring; nothing where geometry says that there are no more, or
 /// no way finds all light. `rays` is added to. Throws Stopped.
 std::optional<BeyondDepth> beyondEvents(const RequirementsQuestion& question,
-                                        const SpecularFindings& specular, std::uint32_t events,
-                                        std::uint64_t& rays);
+                                        const SpecularFindings& specular, const std::optional<Series>& series,
+                                        std::uint32_t events, std::uint64_t& rays);
 
 /// What is left out by it, as measured, half of the tolerance at most: so much less may the bounces leave
 /// out.

@@ -85,6 +85,10 @@ class Search {
 
     void tryPlan(const Plan& plan) {
         if (!(plan.estimator->sensors & bitOf(question_.sensor))) return;
+        const auto& tried = answer_.candidates;
+        const auto isTooLong = [](const Candidate& candidate) { return tooLongToJoin(candidate.pilot); };
+        if (plan.estimator->id == "bidirectional" && std::any_of(tried.begin(), tried.end(), isTooLong))
+            return;
         const Problem whole{question_.index,  question_.sensor, plan.maxDepth,
                             plan.maxSpecular, question_.seed,   question_.stop};
         if (plan.estimator->id == "closed-form") {
@@ -110,7 +114,6 @@ class Search {
     void takeBest() {
         // Where so few rays do, they are no cost: then the simplest way is the best.
         constexpr double kFewRays = 16.0;  // for each pixel
-        constexpr double kSure = 3.0;      // standard errors
         const auto rays = [&](const Candidate& candidate) {
             return std::max(candidate.pilot.raysTo(answer_.tolerance),
                             kFewRays * static_cast<double>(candidate.pilot.pixels));
@@ -118,14 +121,13 @@ class Search {
         double least = 0.0;  // light that is surely brought
         bool any = false;
         for (const Candidate& candidate : answer_.candidates) {
-            least = std::max(least, candidate.pilot.mean - kSure * candidate.pilot.meanError);
+            least = std::max(least, surelyBrought(candidate.pilot));
             any = any || candidate.pilot.mean > 0.0;
         }
         Candidate* best = nullptr;
         for (Candidate& candidate : answer_.candidates) {
             // What has met no light has no noise either.
-            candidate.lacks = candidate.pilot.mean + kSure * candidate.pilot.meanError < least ||
-                              (any && candidate.pilot.mean == 0.0);
+            candidate.lacks = any && lacksLight(candidate.pilot, least);
             if (!candidate.lacks && (!best || rays(candidate) < 0.98 * rays(*best))) best = &candidate;
         }
         const bool formula = answer_.candidates.front().plan.way.estimator == "closed-form";

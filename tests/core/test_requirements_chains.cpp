@@ -185,6 +185,36 @@ TEST_CASE("requirements: chains beyond the longest bring as much, path by path, 
     CHECK(endlessChains(all, half).standardError == 0.0);
 }
 
+// A lamp deep in a slit between two mirrors: paths from the eye hardly ever come so far, and the few that do
+// say little about what their light becomes in the room.
+TEST_CASE("requirements: light that few paths meet is followed by a way that meets it, as deep as it goes") {
+    Scene scene = polygonRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.5}, {0.0, 1.5}}, Rgb(0.5));
+    addWall(scene, {1.9, 0.6}, {1.9, 0.62}, Rgb(0.0), Rgb(30.0));
+    for (const double height : {0.6, 0.62}) {
+        addWall(scene, {0.4, height}, {1.9, height}, Rgb(0.0), Rgb(0.0), true);
+        scene.materials.back() = Mirror{Rgb(0.9)};
+    }
+    const SegmentIndex index(scene);
+    const Sensor sensor = EyeStrip{{{0.3, 0.3}, glm::normalize(Vec2(1.0, 0.5)), kPi / 3.0}, 16};
+    for (const std::uint64_t seed : {1u, 2u}) {
+        const RequirementsAnswer answer = requirementsOf({.index = index, .sensor = sensor, .seed = seed});
+        REQUIRE(answer.series);
+        CHECK(answer.series->plan.way.estimator == "bidirectional");
+        const auto upTo = [&](std::uint32_t depth) {
+            Plan plan = answer.series->plan;
+            plan.maxDepth = depth;
+            return pilot({.index = index, .sensor = sensor, .seed = 77}, plan,
+                         {.rays = 0, .leastPasses = 600, .mostPasses = 600});
+        };
+        const Pilot all = upTo(answer.series->deepest);
+        const auto missing = [&](std::uint32_t depth) { return shareBeyond(depth, all, upTo(depth)); };
+        const BeyondDepth planned = missing(answer.plan.maxDepth), early = missing(3);
+        CAPTURE(answer.plan.maxDepth);
+        CHECK(planned.share - 3.0 * planned.standardError <= kInitialTolerance);
+        CHECK(early.share - 3.0 * early.standardError > 2.0 * kInitialTolerance);
+    }
+}
+
 TEST_CASE("requirements: where no path tried is longer, the usual number of glass events does") {
     Scene scene = litBox();
     std::vector<Vec2> corners{{-0.2, 0.4}, {-0.2, 0.6}, {0.2, 0.6}, {0.2, 0.4}};

@@ -109,7 +109,8 @@ Json candidatesJson(const RequirementsAnswer& answer, const SegmentIndex& index)
     Json rows = Json::array();
     for (const Candidate& candidate : answer.candidates) {
         Json row = planJson(candidate.plan, index);
-        row["raysToTolerance"] = jsonOf(candidate.pilot.raysTo(answer.tolerance));
+        // What lacks light has no number: its noise says nothing of what it has not met.
+        row["raysToTolerance"] = candidate.lacks ? Json() : jsonOf(candidate.pilot.raysTo(answer.tolerance));
         row["secondsPerRay"] = jsonOf(candidate.pilot.secondsPerRay());
         row["raysTried"] = candidate.pilot.rays;
         row["chosen"] = candidate.chosen;
@@ -198,11 +199,11 @@ std::string lostWords(const RequirementsAnswer& answer) {
     const auto add = [&](const std::optional<BeyondDepth>& missing, std::uint32_t followed,
                          std::string_view what) {
         if (!missing || missing->depth != followed || isEnough(*missing, answer.tolerance)) return;
-        lost.push_back(fmt::format("more than {} {}, which are not followed, bring {}", missing->depth, what,
+        lost.push_back(fmt::format("after {} {}, where paths are cut, comes {}", what, missing->depth,
                                    shareWords(*missing, answer.tolerance)));
     };
-    add(answer.specular.missing, answer.plan.maxSpecular, "mirror and glass events in a row");
-    add(answer.bounces.missing, answer.plan.maxDepth, "scatterings");
+    add(answer.specular.missing, answer.plan.maxSpecular, "mirror or glass event");
+    add(answer.bounces.missing, answer.plan.maxDepth, "bounce");
     if (lost.empty() && answer.dark) return std::string(kDark);
     return fmt::format("{}", fmt::join(lost, "; "));
 }

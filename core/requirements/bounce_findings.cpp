@@ -127,7 +127,7 @@ std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts
     std::string reason;
     if (bounces.dark) reason += "no path that was tried brought any light, so that nothing is known of it; ";
     if (const auto& missing = bounces.missing) {
-        reason += words::joined("more than ", std::to_string(missing->depth), " scatterings bring ",
+        reason += words::joined("after bounce ", std::to_string(missing->depth), " comes ",
                                 shareWords(*missing, left));
         if (bounces.patches)
             reason += words::joined(", by ", std::to_string(bounces.patches->patches), " patches");

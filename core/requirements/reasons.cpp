@@ -69,13 +69,20 @@ bool isAllCarried(const RequirementsQuestion& question, const RequirementsAnswer
 
 constexpr const char* kDark = "no way that was tried met any light: the one that looks in most ways is taken";
 
+/// Of ways that do it and others; empty where there are not both.
+template <class Is, class IsOther>
+std::string compared(const RequirementsAnswer& answer, const Is& is, const IsOther& isOther,
+                     const std::string& with, const std::string& without) {
+    const auto on = leastRays(answer, is), off = leastRays(answer, isOther);
+    if (!on || !off || !(*on > 0.0) || !(*off > 0.0)) return {};
+    return *on <= *off ? fewer(with, *off / *on) : fewer(without, *on / *off);
+}
+
 template <class Is>
 std::string factor(const RequirementsAnswer& answer, const Is& is, const std::string& with,
                    const std::string& without) {
-    const auto on = leastRays(answer, is);
-    const auto off = leastRays(answer, [&](const Candidate& candidate) { return !is(candidate); });
-    if (!on || !off || !(*on > 0.0) || !(*off > 0.0)) return {};
-    return *on <= *off ? fewer(with, *off / *on) : fewer(without, *on / *off);
+    return compared(
+        answer, is, [&](const Candidate& candidate) { return !is(candidate); }, with, without);
 }
 
 std::string orElse(const std::string& text, const std::string& other) {
@@ -117,8 +124,17 @@ std::string misReason(const RequirementsAnswer& answer) {
     if (answer.plan.way.estimator == "closed-form")
         return "a formula gives all the light: nothing is weighed";
     if (answer.dark) return kDark;
-    const auto weighs = [](const Candidate& candidate) { return candidate.plan.way.mis; };
-    return orElse(factor(answer, weighs, "weighing two ways", "one way alone"), agreeing(answer));
+    if (answer.plan.way.lightPass)
+        return answer.plan.way.mis ? "paths from both ends find the same light in many ways, which share it"
+                                   : "paths from the lights find all light in one way";
+    // Looking back from the sensor: what paths from both ends gain is not the weights' merit.
+    const auto weighs = [](bool mis) {
+        return [=](const Candidate& candidate) {
+            return candidate.plan.way.mis == mis && !candidate.plan.way.lightPass;
+        };
+    };
+    return orElse(compared(answer, weighs(true), weighs(false), "weighing two ways", "one way alone"),
+                  agreeing(answer));
 }
 
 std::string lightPassReason(const RequirementsQuestion& question, const RequirementsAnswer& answer) {

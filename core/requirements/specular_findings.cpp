@@ -133,7 +133,7 @@ std::string specularReason(const RequirementsAnswer& answer) {
                           words::percent(std::pow(facts.mostReflectance, swallowing)), " of what sets out");
     }
     if (const auto& missing = answer.specular.missing) {
-        reason += words::joined(": more than ", std::to_string(missing->depth), " events bring ",
+        reason += words::joined(": after event ", std::to_string(missing->depth), " comes ",
                                 shareWords(*missing, answer.tolerance));
         if (missing->depth == answer.plan.maxSpecular && !isEnough(*missing, answer.tolerance))
             reason += words::joined(", and no more than ", std::to_string(missing->depth),

@@ -163,7 +163,7 @@ TEST_CASE("--estimator auto: light that is lost by what is forced is told, witho
         CHECK(Json::parse(run(command, {"--json"}))["loses"].is_null());
     }
     const std::vector<std::string> room{"probe", shippedScene("diffuse_room.toml"), "--at", "floor:0.5"};
-    CHECK(run(room, {"--depth", "1"}).find("missing: more than 1 scatterings, which are not followed") !=
+    CHECK(run(room, {"--depth", "1"}).find("missing: after bounce 1, where paths are cut, comes") !=
           std::string::npos);
     CHECK_FALSE(
         Json::parse(runProgram({"probe", disk, "--at", "floor:0.5", "--json"}).out).contains("loses"));
@@ -178,7 +178,8 @@ TEST_CASE("requirements: bounces that are forced away are told, and what is forc
         REQUIRE_MESSAGE(outcome.exitCode == 0, outcome.err);
         return outcome.out;
     };
-    CHECK(run({"--force", "bounces=off"}).find("NOTE: light is missing: more than 0 scatterings") !=
+    CHECK(run({"--force", "bounces=off"})
+              .find("NOTE: light is missing: after bounce 0, where paths are cut, comes ") !=
           std::string::npos);
     CHECK(Json::parse(run({"--force", "bounces=off", "--json"}))["loses"].is_string());
     CHECK(Json::parse(run({"--json"}))["loses"].is_null());
@@ -196,14 +197,14 @@ TEST_CASE("requirements: chains of mirrors that are not followed are told with t
     const Json longest = asked({tube});
     CHECK(longest["plan"]["specular"] == 1000);
     const std::string lost = longest["loses"];
-    CHECK(lost.find("more than 1000 mirror and glass events in a row, which are not followed, bring ") == 0);
+    CHECK(lost.find("after mirror or glass event 1000, where paths are cut, comes ") == 0);
     const Json& beyond = longest["specular"]["measured"].back();
-    CHECK(std::stod(lost.substr(lost.find("bring ") + 6)) ==
+    CHECK(std::stod(lost.substr(lost.find("comes ") + 6)) ==
           doctest::Approx(100.0 * beyond["beyond"].get<double>()).epsilon(0.06));
     CHECK(lost.find("(\u00b1 ") != std::string::npos);
     CHECK(asked({room})["loses"].is_null());
     CHECK(asked({room, "--force", "specular=off"})["loses"].get<std::string>().find(
-              "more than 0 mirror and glass events in a row, which are not followed, bring ") == 0);
+              "after mirror or glass event 0, where paths are cut, comes ") == 0);
 }
 
 TEST_CASE("requirements: where no short run meets light this is told, and not that nothing is missing") {
@@ -222,7 +223,7 @@ TEST_CASE("requirements: where no short run meets light this is told, and not th
         CHECK(rowOf(answer, row)["reason"].get<std::string>().find("met any light") != std::string::npos);
     // What is known to be missing is told all the same.
     CHECK(asked({sceneFile("mirror_tube.toml"), "--force", "specular=3"})["loses"].get<std::string>().find(
-              "more than 3 mirror and glass events in a row") == 0);
+              "after mirror or glass event 3, ") == 0);
 }
 
 TEST_CASE("requirements: reasons are true, whatever is forced away") {

@@ -21,6 +21,7 @@ class SegmentIndex {
     /// exist.
     explicit SegmentIndex(const Scene& scene, IndexMethod method = IndexMethod::automatic,
                           const Kernels& kernels = bestKernels());
+    SegmentIndex(const Scene&&, IndexMethod = {}, const Kernels& = bestKernels()) = delete;
     SegmentIndex(SegmentIndex&&) = default;
     SegmentIndex& operator=(SegmentIndex&&) = default;
 

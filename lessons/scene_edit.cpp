@@ -6,19 +6,13 @@
 #include <cmath>
 #include <utility>
 
+#include "core/nearest_wall.h"
 #include "lessons/scene_file.h"
 #include "lessons/scene_keys.h"
 #include "lessons/shape_edit.h"
 
 namespace halfdisk {
 namespace {
-
-double distanceToSegment(Vec2 a, Vec2 b, Vec2 p) {
-    const Vec2 edge = b - a;
-    const double length2 = glm::dot(edge, edge);
-    const double t = length2 > 0.0 ? std::clamp(glm::dot(p - a, edge) / length2, 0.0, 1.0) : 0.0;
-    return glm::length(a + t * edge - p);
-}
 
 /// A name that no shape has, after `base`: base, base 2, base 3, ...
 std::string freeName(const SceneDescription& scene, const std::string& base) {
@@ -171,7 +165,7 @@ double distanceTo(const SceneDescription& scene, Thing thing, Vec2 place) {
     double nearest = std::numeric_limits<double>::infinity();
     if (thing.kind == ThingKind::shape)
         for (const Edge& edge : edgesOf(scene.shapes.at(thing.index).geometry))
-            nearest = std::min(nearest, distanceToSegment(edge.a, edge.b, place));
+            nearest = std::min(nearest, nearestOnStretch(edge.a, edge.b, place).distance);
     else
         for (const Vec2 handle : handlesOf(scene, thing))
             nearest = std::min(nearest, glm::length(handle - place));

@@ -1,5 +1,6 @@
 #include "radiosity_system.h"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "arc_measure.h"
@@ -13,23 +14,48 @@ namespace {
 /// Of the matrix I - rho F: below this, a room gives back all light, to rounding.
 constexpr double kLeastRcond = 1e-13;
 
+/// Where on the way from A to B (0 ... 1) the shadow of a corner ends; outside of that if nowhere.
+double shadowEdge(const DeltaLight& light, Vec2 corner, Vec2 A, Vec2 B) {
+    const auto* point = std::get_if<PointLight>(&light);
+    const Vec2 way = point ? corner - point->position : std::get<DirectionalLight>(light).direction;
+    const double s = cross(way, corner - A) / cross(way, B - A);
+    const bool behind = glm::dot(way, A + s * (B - A) - corner) > 0.0;
+    return behind ? s : -1.0;
+}
+
+/// 0, where any light's shadow begins or ends on the way from A to B, 1.
+std::vector<double> piecesBetweenShadows(const Visibility& visibility, Vec2 A, Vec2 B) {
+    std::vector<double> ends{0.0, 1.0};
+    for (const DeltaLight& light : visibility.index().scene().lights)
+        for (const Vec2 corner : visibility.corners())
+            if (const double s = shadowEdge(light, corner, A, B); s > 0.0 && s < 1.0) ends.push_back(s);
+    std::sort(ends.begin(), ends.end());
+    return ends;
+}
+
 }  // namespace
 
+// Between shadows, so that a beam through a slit is not missed between the nodes.
 Rgb meanDirect(const Visibility& visibility, const Patch& patch) {
     const SegmentIndex& index = visibility.index();
     const bool sky = index.scene().environment.radiance != Rgb(0.0);
     Rgb sum{0.0};
     if (!sky && index.scene().lights.empty()) return sum;
     const Vec2 N = perp(patch.b - patch.a) / patch.length;
-    for (const GaussPoint& point : kGauss8) {
-        const double u = patch.uFrom + (patch.uTo - patch.uFrom) * (1.0 + point.x) / 2.0;
-        const ShadedPoint at{index.pointOn(patch.segment, u), N, patch.segment};
-        Rgb E = deltaIrradiance(index, at);
-        if (sky)
-            for (const VisibleArc& arc : visibility.arcs(at))
-                if (!arc.hit) E += index.environment(middleOf(at, arc)) * cosineBetween(arc.from, arc.to);
-        sum += E * (point.weight / 2.0);
-    }
+    const auto ends = piecesBetweenShadows(visibility, index.pointOn(patch.segment, patch.uFrom),
+                                           index.pointOn(patch.segment, patch.uTo));
+    for (std::size_t piece = 0; piece + 1 < ends.size(); ++piece)
+        for (const GaussPoint& point : kGauss8) {
+            const double length = ends[piece + 1] - ends[piece],
+                         s = ends[piece] + length * (1.0 + point.x) / 2.0;
+            const double u = patch.uFrom + (patch.uTo - patch.uFrom) * s;
+            const ShadedPoint at{index.pointOn(patch.segment, u), N, patch.segment};
+            Rgb E = deltaIrradiance(index, at);
+            if (sky)
+                for (const VisibleArc& arc : visibility.arcs(at))
+                    if (!arc.hit) E += index.environment(middleOf(at, arc)) * cosineBetween(arc.from, arc.to);
+            sum += E * (length * point.weight / 2.0);
+        }
     return sum;
 }
 

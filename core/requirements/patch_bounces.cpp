@@ -15,6 +15,7 @@ namespace {
 
 constexpr std::size_t kMostWalls = 100;                    // the form factors take n^3
 constexpr std::size_t kPatches = 120, kMostPatches = 500;  // at first; at most
+constexpr std::uint32_t kPlaces = 16;                      // of the sensor, for each patch
 constexpr double kSmall = 0.1;  // of the tolerance: an error that more patches need not mend
 constexpr std::uint32_t kMostBounces = 1000;
 
@@ -110,12 +111,12 @@ ByScatterings follow(const Exchange& exchange, const SensorView& view, int chann
         all += found.after.back();
         // Nowhere in the room, not only at the sensor: a bounce may bring it nothing, and the next one a lot.
         const double most = *std::max_element(light.begin(), light.end());
-        if (most * mostSensed <= 1e-3 * tolerance * all) return found;
+        if (k > 2 && most * mostSensed <= 1e-3 * tolerance * all) break;
     }
     // It falls by a fixed share every two scatterings, for the other half of an exchange between two walls
     // alternates. Nearly all of it is left if it never falls.
     constexpr double kNever = 1.0 - 1e-12;
-    const double share = std::min(sumOf(light) / sumOf(beforeThat), kNever);
+    const double then = sumOf(beforeThat), share = then > 0.0 ? std::min(sumOf(light) / then, kNever) : 0.0;
     found.endless = share / (1.0 - share) * (*(found.after.end() - 1) + *(found.after.end() - 2));
     return found;
 }
@@ -124,6 +125,7 @@ ByScatterings follow(const Exchange& exchange, const SensorView& view, int chann
 struct Division {
     std::size_t patches = 0;
     double spectralRadius = 0.0;
+    double light = 0.0;
     Row beyond;  ///< [D]: share of the light, of all channels, that is scattered more often
 };
 
@@ -143,8 +145,9 @@ Division divisionOf(const Visibility& visibility, const Patches& patches, const 
         const Row byLamps = exchange.arriving(emitted);
         for (std::size_t i = 0; i < byLamps.size(); ++i) direct[i][channel] += byLamps[i];
     }
-    const SensorView view = viewOf(sensor, visibility, patches, direct, stop);
-    Division division{patches.size(), 0.0, {}};
+    const SensorView view = viewOf(sensor, visibility, patches, direct,
+                                   kPlaces * static_cast<std::uint32_t>(patches.size()), stop);
+    Division division{patches.size(), 0.0, 0.0, {}};
     Row after;
     double endless = 0.0;
     for (int channel = 0; channel < 3; ++channel) {
@@ -160,6 +163,7 @@ Division divisionOf(const Visibility& visibility, const Patches& patches, const 
     }
     const double all = sumOf(after) + endless;
     if (!(all > 0.0)) return division;
+    division.light = all / 3.0;
     double rest = endless;
     division.beyond.resize(after.size());
     for (std::size_t k = after.size(); k-- > 0; rest += after[k]) division.beyond[k] = rest / all;
@@ -168,7 +172,8 @@ Division divisionOf(const Visibility& visibility, const Patches& patches, const 
 
 /// What both tell, the finer one with the difference as its error.
 PatchBounces compared(const Division& half, const Division& whole, double tolerance) {
-    PatchBounces bounces{whole.spectralRadius, whole.patches, {}};
+    PatchBounces bounces{
+        whole.spectralRadius, whole.patches, whole.light, std::abs(whole.light - half.light), {}};
     for (std::uint32_t depth = 0; depth < whole.beyond.size(); ++depth) {
         const double share = whole.beyond[depth],
                      byHalf = half.beyond[std::min<std::size_t>(depth, half.beyond.size() - 1)];

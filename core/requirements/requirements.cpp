@@ -111,9 +111,13 @@ void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer
 
 std::optional<double> rareLight(const RequirementsAnswer& answer) {
     constexpr double kRare = 0.1;
-    for (const Candidate& candidate : answer.candidates)
-        if (candidate.chosen && candidate.pilot.mean > 0.0 && lightError(candidate.pilot) > kRare)
-            return lightError(candidate.pilot);
+    for (const Candidate& candidate : answer.candidates) {
+        if (!candidate.chosen || candidate.pilot.mean == 0.0) continue;
+        const auto& patches = answer.bounces.patches;
+        const double unmet = candidate.lacks && patches ? 1.0 - candidate.pilot.mean / patches->light : 0.0;
+        const double error = std::max(lightError(candidate.pilot), unmet);
+        if (error > kRare) return error;
+    }
     return std::nullopt;
 }
 

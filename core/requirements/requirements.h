@@ -110,8 +110,8 @@ inline bool hasLight(const RequirementsAnswer& answer) {
     return answer.facts.traits.delta || answer.facts.traits.area;
 }
 
-/// Relative standard error to which the short run of the plan knows its light, where that is so large that
-/// light is rare there, and all that is measured is a rough guess.
+/// Where light is so rare that what is measured is a rough guess: the relative standard error to which the
+/// short run of the plan knows it, or the share of it that the run has not met though patches know of it.
 std::optional<double> rareLight(const RequirementsAnswer& answer);
 
 /// Throws std::invalid_argument, with words for the user, for sensors that can't be used, and if no way does

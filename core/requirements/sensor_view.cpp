@@ -6,8 +6,6 @@
 namespace halfdisk {
 namespace {
 
-constexpr std::uint32_t kPlaces = 1024;
-
 /// Numbers that fill the cube (0, 1)^3 evenly, however many of them are taken (Roberts 2018, "The
 /// unreasonable effectiveness of quasirandom sequences": powers of the root of x^4 = x + 1).
 double evenly(std::uint32_t k, int dimension) {
@@ -31,48 +29,123 @@ Rgb directFluence(const Visibility& visibility, Vec2 P) {
     return sum;
 }
 
+class Viewer {
+ public:
+    Viewer(const Visibility& visibility, const Patches& patches, const std::vector<Rgb>& direct,
+           std::uint32_t places, const StopQuestion& stop)
+        : visibility_(visibility),
+          index_(visibility.index()),
+          patches_(patches),
+          direct_(direct),
+          places_(places),
+          stop_(stop),
+          view_{Rgb(0.0), std::vector<Rgb>(patches.size(), Rgb(0.0)),
+                std::vector<Rgb>(patches.size(), Rgb(0.0))} {}
+
+    const SensorView& view() const { return view_; }
+
+    void seeStrip(const EyeStrip& strip) {
+        const Eye& eye = strip.eye;
+        const double half = eye.fov / 2.0;
+        const auto place = [&](double theta) { return std::tan(kPi / 2.0 - theta) / std::tan(half); };
+        seeArcs({eye.position, eye.direction}, kPi / 2.0 - half, kPi / 2.0 + half, false,
+                [&](double from, double to) { return (place(from) - place(to)) / 2.0; });
+    }
+
+    void seeHalfDisk(const ShadedPoint& at) {
+        view_.straight += directIrradiance(visibility_, at);
+        seeArcs(at, 0.0, kPi, true, cosineBetween);
+    }
+
+    void seePlaces(const Sensor& sensor) {
+        const std::uint64_t pixels = pixelCount(sensor);
+        const Receivers receivers(sensor, index_);
+        const double share = 1.0 / places_;
+        for (std::uint32_t k = 0; k < places_; ++k) {
+            throwIfStopped(stop_, k);
+            const auto pixel = static_cast<std::uint32_t>(k * pixels / places_);
+            const Receiver receiver = receivers.draw(pixel, evenly(k, 0), evenly(k, 1));
+            if (receiver.covered) continue;
+            if (receiver.weighing == Weighing::cosine)
+                view_.straight += share * directIrradiance(visibility_, receiver.at);
+            if (receiver.weighing == Weighing::even)
+                view_.straight += share * directFluence(visibility_, receiver.at.P);
+            if (const auto patch = patchAt(receiver.at)) {
+                view_.now[*patch] += Rgb(share);
+                continue;
+            }
+            const Sight sight = sightFrom(receiver, index_, evenly(k, 2));
+            see(sight.ray, share * sight.weight, gathers(receiver));
+        }
+    }
+
+ private:
+    /// That it lies on; none for a free point or a wall's dark back.
+    std::optional<std::size_t> patchAt(const ShadedPoint& at) const {
+        if (at.segment == kNoSegment) return std::nullopt;
+        const Segment& wall = index_.scene().segments[at.segment];
+        const bool front = glm::dot(at.N, index_.normal(at.segment)) > 0.0;
+        if (!front && !wall.twoSided) return std::nullopt;
+        const Vec2 along = wall.b - wall.a;
+        const double u = glm::dot(at.P - wall.a, along) / glm::dot(along, along);
+        return patches_.at(at.segment, front, std::clamp(u, 0.0, 1.0));
+    }
+
+    /// Each arc that is seen in parts of its own. `measure`: how much radiance between two angles counts.
+    template <class Measure>
+    void seeArcs(const ShadedPoint& at, double least, double most, bool gathered, const Measure& measure) {
+        constexpr double kFewest = 4.0;
+        const double whole = measure(least, most);
+        for (const VisibleArc& arc : visibility_.arcs(at)) {
+            const double from = std::max(least, arc.from), to = std::min(most, arc.to);
+            if (!(from < to)) continue;
+            const auto count =
+                static_cast<std::uint32_t>(std::max(kFewest, std::ceil(places_ * measure(from, to) / whole)));
+            const double step = (to - from) / count;
+            for (std::uint32_t k = 0; k < count; ++k) {
+                throwIfStopped(stop_, k);
+                const double theta = from + k * step;
+                see(rayFrom(index_, at, directionAt(at, theta + step / 2.0)), measure(theta, theta + step),
+                    gathered);
+            }
+        }
+    }
+
+    /// `gathered`: what comes straight from a source is known already, and what a wall sends has been
+    /// scattered once more.
+    void see(const Ray& ray, double weight, bool gathered) {
+        const Hit hit = index_.closestHit(ray);
+        if (!gathered) view_.straight += weight * straightRadiance(index_, hit, ray.direction);
+        if (!hit || !isLitSide(index_, hit)) return;
+        const std::size_t patch = patches_.at(hit.segment, hit.front, hit.u);
+        const Rgb scattered = weight / 2.0 * std::get<Diffuse>(index_.material(hit.segment)).albedo;
+        (gathered ? view_.later : view_.now)[patch] += scattered;
+        // The patch's mean: few places would meet a narrow beam, or too many.
+        if (!gathered) view_.straight += scattered * direct_[patch];
+    }
+
+    const Visibility& visibility_;
+    const SegmentIndex& index_;
+    const Patches& patches_;
+    const std::vector<Rgb>& direct_;
+    std::uint32_t places_;
+    const StopQuestion& stop_;
+    SensorView view_;
+};
+
 }  // namespace
 
 SensorView viewOf(const Sensor& sensor, const Visibility& visibility, const Patches& patches,
-                  const std::vector<Rgb>& direct, const StopQuestion& stop) {
-    const SegmentIndex& index = visibility.index();
-    const std::uint64_t pixels = pixelCount(sensor);
-    const Receivers receivers(sensor, index);
-    const Rgb none(0.0);
-    SensorView view{none, std::vector<Rgb>(patches.size(), none), std::vector<Rgb>(patches.size(), none)};
-    for (std::uint32_t k = 0; k < kPlaces; ++k) {
-        throwIfStopped(stop, k);
-        const auto pixel = static_cast<std::uint32_t>(k * pixels / kPlaces);
-        const Receiver receiver = receivers.draw(pixel, evenly(k, 0), evenly(k, 1));
-        if (receiver.covered) continue;
-        const ShadedPoint& at = receiver.at;
-        const bool front = at.segment == kNoSegment || glm::dot(at.N, index.normal(at.segment)) > 0.0;
-        const bool onWall = receiver.weighing == Weighing::cosine && at.segment != kNoSegment &&
-                            (front || index.scene().segments[at.segment].twoSided);
-        if (gathers(receiver))
-            view.straight += receiver.weighing == Weighing::even ? directFluence(visibility, at.P)
-                                                                 : directIrradiance(visibility, at);
-        if (onWall) {
-            const Segment& wall = index.scene().segments[at.segment];
-            const Vec2 along = wall.b - wall.a;
-            const double u = std::clamp(glm::dot(at.P - wall.a, along) / glm::dot(along, along), 0.0, 1.0);
-            view.now[patches.at(at.segment, front, u)] += Rgb(1.0);
-            continue;
-        }
-        const Sight sight = sightFrom(receiver, index, evenly(k, 2));
-        const Hit hit = index.closestHit(sight.ray);
-        if (!gathers(receiver)) view.straight += straightRadiance(index, hit, sight.ray.direction);
-        if (!hit || !isLitSide(index, hit)) continue;
-        const std::size_t patch = patches.at(hit.segment, hit.front, hit.u);
-        const Rgb scattered = sight.weight / 2.0 * std::get<Diffuse>(index.material(hit.segment)).albedo;
-        if (gathers(receiver)) {
-            view.later[patch] += scattered;
-        } else {
-            view.now[patch] += scattered;
-            view.straight += scattered * direct[patch];
-        }
-    }
-    return view;
+                  const std::vector<Rgb>& direct, std::uint32_t places, const StopQuestion& stop) {
+    Viewer viewer(visibility, patches, direct, places, stop);
+    const auto* probe = std::get_if<Probe>(&sensor);
+    if (const auto* strip = std::get_if<EyeStrip>(&sensor))
+        viewer.seeStrip(*strip);
+    else if (probe && probe->at.segment == kNoSegment)
+        viewer.seeHalfDisk(probe->at);
+    else
+        viewer.seePlaces(sensor);
+    return viewer.view();
 }
 
 }  // namespace halfdisk

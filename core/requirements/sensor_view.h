@@ -6,7 +6,7 @@
 
 namespace halfdisk {
 
-/// Sums over places of the sensor, spread evenly over its pixels.
+/// Means over the sensor's pixels.
 struct SensorView {
     /// What it measures of light that `maxDepth` = 0 carries: straight from its source or, if it looks at
     /// walls, scattered by what it sees. W/m or W/(m rad).
@@ -15,8 +15,9 @@ struct SensorView {
     std::vector<Rgb> now, later;
 };
 
-/// `direct`: by patch, irradiance (W/m) of light that was never scattered.
+/// `direct`: by patch, irradiance (W/m) of light that was never scattered. About so many `places` are looked
+/// from or at; what an eye or a free point sees through a slit, however narrow, is among them.
 SensorView viewOf(const Sensor& sensor, const Visibility& visibility, const Patches& patches,
-                  const std::vector<Rgb>& direct, const StopQuestion& stop = {});
+                  const std::vector<Rgb>& direct, std::uint32_t places, const StopQuestion& stop = {});
 
 }  // namespace halfdisk

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "core/requirements/bounce_findings.h"
 #include "core/requirements/words.h"
 
 namespace halfdisk {
@@ -118,7 +119,7 @@ class Search {
             return std::max(candidate.pilot.raysTo(answer_.tolerance),
                             kFewRays * static_cast<double>(candidate.pilot.pixels));
         };
-        double least = 0.0;  // light that is surely brought
+        double least = surelyThere();  // light that is surely brought
         bool any = false;
         for (const Candidate& candidate : answer_.candidates) {
             least = std::max(least, surelyBrought(candidate.pilot));
@@ -132,10 +133,25 @@ class Search {
         }
         const bool formula = answer_.candidates.front().plan.way.estimator == "closed-form";
         answer_.dark = !any && !formula;
+        const auto darker = [](const Candidate& a, const Candidate& b) {
+            return a.pilot.mean < b.pilot.mean;
+        };
+        // All have met less than the patches know of.
+        if (!best) best = &*std::max_element(answer_.candidates.begin(), answer_.candidates.end(), darker);
         // Whoever looks in all ways is the last to miss something.
         if (answer_.dark) best = &answer_.candidates.back();
         for (Candidate& candidate : answer_.candidates) candidate.chosen = &candidate == best;
         answer_.plan = best->plan;
+    }
+
+    /// Light that patches know of at the plan's depth: a slit between rooms they can't miss as rays can.
+    double surelyThere() const {
+        const BounceFindings& bounces = answer_.bounces;
+        if (!bounces.patches) return 0.0;
+        constexpr double kRough = 0.02;
+        const auto beyond = shareBeyondDepth(bounces, depth());
+        return (1.0 - kRough) * (1.0 - std::min(1.0, mayMiss(*beyond))) *
+               (bounces.patches->light - kSurely * bounces.patches->lightError);
     }
 
     void tryOtherRoulette() {

@@ -1,6 +1,7 @@
 // Are the facts right on which plans stand: how many mirrors in a row, how many bounces, what is refused?
 #include <doctest/doctest.h>
 
+#include "core/exact_picture.h"
 #include "core/requirements/bounce_findings.h"
 #include "core/requirements/costs.h"
 #include "core/requirements/series.h"
@@ -112,7 +113,7 @@ TEST_CASE(
     REQUIRE(bounces->beyond.size() >= 9);
     for (std::size_t D = 0; D < 9; ++D)
         CHECK(bounces->beyond[D].share ==
-              doctest::Approx(std::pow(0.6, static_cast<double>(D) + 1.0)).epsilon(2e-3));
+              doctest::Approx(std::pow(0.6, static_cast<double>(D) + 1.0)).epsilon(1e-6));
     CHECK(bounces->beyond.size() == 10);  // 0.6^10 = 0.0060 is the first one below 0.01
 }
 
@@ -178,6 +179,7 @@ TEST_CASE("requirements: bounces by patches agree with paths, for every sensor")
                          {.rays = 0, .leastPasses = 4000, .mostPasses = 4000});
         };
         const Pilot all = upTo(kDeepest);
+        CHECK(std::abs(told->light - all.mean) < 4.0 * std::hypot(all.meanError, told->lightError));
         bool rejected = false;
         for (const std::uint32_t depth : {0u, 1u, 2u, 3u}) {
             CAPTURE(depth);
@@ -188,6 +190,53 @@ TEST_CASE("requirements: bounces by patches agree with paths, for every sensor")
             rejected = rejected || std::abs(told->beyond[depth + 1].share - found.share) > 6.0 * error;
         }
         CHECK(rejected);
+    }
+}
+
+namespace {
+
+/// Two matt rooms, joined by a slit; a bulb or a bright lamp in the one behind it, a dim lamp in the other.
+Scene roomsWithSlit(double slit, bool bulb) {
+    Scene scene = polygonRoom({{0.0, 0.0}, {4.0, 0.0}, {4.0, 1.5}, {0.0, 1.5}}, Rgb(0.8));
+    addWall(scene, {2.0, 0.0}, {2.0, 0.7}, Rgb(0.8), Rgb(0.0), true);
+    addWall(scene, {2.0, 0.7 + slit}, {2.0, 1.5}, Rgb(0.8), Rgb(0.0), true);
+    if (bulb) {
+        scene.lights.emplace_back(PointLight{{3.0, 0.3}, Rgb(1.0)});
+    } else {
+        addWall(scene, {3.9, 1.4}, {3.9, 1.3}, Rgb(0.8), Rgb(3000.0), true);
+        addWall(scene, {1.1, 1.49}, {0.9, 1.49}, Rgb(0.8), Rgb(0.5));
+    }
+    return scene;
+}
+
+const EyeStrip kFrontEye{{{0.3, 0.4}, glm::normalize(Vec2(1.0, 0.3)), kPi / 2.0}, 16};
+
+}  // namespace
+
+TEST_CASE("requirements: patches see what an eye sees through a slit") {
+    const Scene scene = roomsWithSlit(2e-3, true);
+    const SegmentIndex index(scene);
+    const auto told = patchBounces(index, kFrontEye, 0.01);
+    REQUIRE(told);
+    const Reference exact(index, 1);
+    const std::vector<Rgb> seen = exactPicture(exact, kFrontEye, 0);
+    double light = 0.0;
+    for (const Rgb& pixel : seen) light += pixel.x / static_cast<double>(seen.size());
+    const BeyondDepth& beyond = told->beyond.front();
+    CHECK(light > 1e-4);
+    CHECK(std::abs((1.0 - beyond.share) * told->light - light) < 3.0 * beyond.standardError * told->light);
+}
+
+TEST_CASE("requirements: a way that has not met what patches know of is not chosen for its little noise") {
+    const Scene scene = roomsWithSlit(2e-4, false);
+    const SegmentIndex index(scene);
+    const Sensor sensor = kFrontEye;
+    for (const std::uint64_t seed : {1u, 2u}) {
+        const RequirementsAnswer answer = requirementsOf({.index = index, .sensor = sensor, .seed = seed});
+        CHECK(rareLight(answer).value_or(0.0) > 0.1);
+        const double known = answer.bounces.patches->light;
+        for (const Candidate& candidate : answer.candidates)
+            if (candidate.pilot.mean + 4.0 * candidate.pilot.meanError < 0.9 * known) CHECK(candidate.lacks);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/field_cells.h"
 #include "core/sensor.h"
+#include "rooms.h"
 #include "support.h"
 
 using namespace halfdisk;
@@ -142,4 +143,19 @@ TEST_CASE("sensor: faults are told") {
     CHECK(faultOf(EyeStrip{{{0, 0}, {1, 0}, 4.0}, 4}, index) ==
           "the eye's field of view is not between 0 and 180 degrees");
     CHECK(faultOf(Profile{{0, 1}, 4}, index).empty());
+}
+
+TEST_CASE("sensor: a probe right where another wall stands on its own is refused, for it has two answers") {
+    Scene scene;
+    addWall(scene, {0.0, 0.0}, {2.0, 0.0});
+    addWall(scene, {2.0, 0.0}, {2.0, 1.0});
+    addWall(scene, {1.0, 1.0}, {1.0, 0.0});   // stands on the floor
+    addWall(scene, {0.5, -1.0}, {0.5, 0.0});  // comes up to it from below
+    addWall(scene, {1.5, -1.0}, {1.5, 1.0});  // goes through
+    const SegmentIndex index(scene);
+    const auto faultAt = [&](double x) { return faultOf(Probe{{{x, 0.0}, {0.0, 1.0}, 0}}, index); };
+    CHECK(faultAt(1.0).find("\"wall 2\" stands where the probe is") == 0);
+    CHECK(faultAt(1.5).find("\"wall 4\" stands where the probe is") == 0);
+    for (const double x : {0.0, 0.5, 1.0 + 1e-6, 1.5 - 1e-6, 1.8, 2.0}) CHECK(faultAt(x).empty());
+    CHECK(faultOf(Probe{{{1.0, 0.0}, {0.0, 1.0}}}, index).empty());  // on no wall
 }

@@ -89,6 +89,15 @@ std::optional<BeyondDepth> shareBeyondDepth(const BounceFindings& bounces, std::
     return BeyondDepth{depth, left * last.share, left * last.standardError};
 }
 
+double knownLight(const BounceFindings& bounces, std::uint32_t depth) {
+    const auto beyond = shareBeyondDepth(bounces, depth);
+    constexpr double kEndless = 0.99;  // of what never ends no part is known
+    if (!bounces.patches || mayMiss(*beyond) > kEndless) return 0.0;
+    constexpr double kRough = 0.02;
+    return (1.0 - kRough) * (1.0 - mayMiss(*beyond)) *
+           (bounces.patches->light - kSurely * bounces.patches->lightError);
+}
+
 BounceFindings findBounces(const RequirementsQuestion& question, const SceneFacts& facts,
                            const std::optional<Series>& series, std::uint64_t& rays) {
     BounceFindings bounces;

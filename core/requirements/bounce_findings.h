@@ -14,6 +14,10 @@ BounceFindings findBounces(const RequirementsQuestion& question, const SceneFact
 /// next.
 std::optional<BeyondDepth> shareBeyondDepth(const BounceFindings& bounces, std::uint32_t depth);
 
+/// Mean light at the sensor of at most `depth` scatterings, as far as patches know that it is surely there; 0
+/// where they don't.
+double knownLight(const BounceFindings& bounces, std::uint32_t depth);
+
 /// Why so many, with all numbers. `taken`: what mirror and glass events leave out of the tolerance already.
 std::string bouncesReason(const BounceFindings& bounces, const SceneFacts& facts, double tolerance,
                           double taken);

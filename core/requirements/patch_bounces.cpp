@@ -1,13 +1,12 @@
 #include "core/requirements/patch_bounces.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
 
-#include "core/form_factors.h"
 #include "core/radiosity_system.h"
+#include "core/requirements/patch_exchange.h"
 #include "core/requirements/sensor_view.h"
 
 namespace halfdisk {
@@ -18,64 +17,6 @@ constexpr std::size_t kPatches = 120, kMostPatches = 500;  // at first; at most
 constexpr std::uint32_t kPlaces = 16;                      // of the sensor, for each patch
 constexpr double kSmall = 0.1;  // of the tolerance: an error that more patches need not mend
 constexpr std::uint32_t kMostBounces = 1000;
-
-/// One number for each patch.
-using Row = std::vector<double>;
-
-class Exchange {
- public:
-    Exchange(const Visibility& visibility, const Patches& patches, const StopQuestion& stop)
-        : patches_(patches), lengths_(exchangeLengths(visibility.index(), patches, stop)) {}
-
-    /// Irradiance of each patch from radiosities 1 W/m (B = 2 L): sum over j of F_ij B_j.
-    Row arriving(const Row& radiosity) const {
-        const std::size_t size = patches_.size();
-        Row sum(size);
-        for (std::size_t i = 0; i < size; ++i) {
-            double total = 0.0;
-            for (std::size_t j = 0; j < size; ++j) total += lengths_[i * size + j] * radiosity[j];
-            sum[i] = total / patches_.all()[i].length;
-        }
-        return sum;
-    }
-
- private:
-    const Patches& patches_;
-    ExchangeLengths lengths_;
-};
-
-/// Largest factor by which A = rho F makes a positive row grow, in the end.
-double spectralRadiusOf(const Exchange& exchange, const Patches& patches, const Row& albedo,
-                        const StopQuestion& stop) {
-    constexpr int kMostSteps = 300;
-    Row light(albedo.size(), 1.0);
-    for (int step = 0; step < kMostSteps; ++step) {
-        throwIfStopped(stop);
-        Row next = exchange.arriving(light);
-        double most = 0.0;
-        for (std::size_t i = 0; i < next.size(); ++i) most = std::max(most, next[i] *= albedo[i]);
-        if (!(most > 0.0)) return 0.0;
-        for (double& value : next) value /= most;
-        // The other half of an exchange between two walls alternates: the mean of two steps does not.
-        double change = 0.0;
-        for (std::size_t i = 0; i < next.size(); ++i) {
-            next[i] = (next[i] + light[i]) / 2.0;
-            change = std::max(change, std::abs(next[i] - light[i]));
-        }
-        light = std::move(next);
-        constexpr double kSettled = 1e-6;  // everywhere: covered patches go dark while the rest stays
-        if (change < kSettled) break;
-    }
-    // Rayleigh's quotient, with the weights l / rho for which rho F is symmetric: exact to second order.
-    const Row image = exchange.arriving(light);
-    double above = 0.0, below = 0.0;
-    for (std::size_t i = 0; i < image.size(); ++i) {
-        if (albedo[i] <= 0.0) continue;
-        above += patches.all()[i].length * image[i] * light[i];
-        below += patches.all()[i].length * light[i] * light[i] / albedo[i];
-    }
-    return below > 0.0 ? above / below : 0.0;
-}
 
 /// Light at the sensor, of one channel.
 struct ByScatterings {
@@ -135,13 +76,10 @@ Division divisionOf(const Visibility& visibility, const Patches& patches, const 
     const Exchange exchange(visibility, patches, stop);
     std::vector<Rgb> direct;
     for (const Patch& patch : patches.all()) direct.push_back(meanDirect(visibility, patch));
-    std::array<Row, 3> albedo;
     for (int channel = 0; channel < 3; ++channel) {
         Row emitted;
-        for (const Patch& patch : patches.all()) {
-            albedo[channel].push_back(std::get<Diffuse>(index.material(patch.segment)).albedo[channel]);
+        for (const Patch& patch : patches.all())
             emitted.push_back(2.0 * index.scene().segments[patch.segment].emission[channel]);
-        }
         const Row byLamps = exchange.arriving(emitted);
         for (std::size_t i = 0; i < byLamps.size(); ++i) direct[i][channel] += byLamps[i];
     }
@@ -151,12 +89,15 @@ Division divisionOf(const Visibility& visibility, const Patches& patches, const 
     Row after;
     double endless = 0.0;
     for (int channel = 0; channel < 3; ++channel) {
+        Row albedo;
+        for (const Patch& patch : patches.all())
+            albedo.push_back(std::get<Diffuse>(index.material(patch.segment)).albedo[channel]);
         division.spectralRadius =
-            std::max(division.spectralRadius, spectralRadiusOf(exchange, patches, albedo[channel], stop));
+            std::max(division.spectralRadius, spectralRadiusOf(exchange, patches, albedo, stop));
         Row arriving;
         for (const Rgb& light : direct) arriving.push_back(light[channel]);
         const ByScatterings found =
-            follow(exchange, view, channel, albedo[channel], std::move(arriving), tolerance, stop);
+            follow(exchange, view, channel, albedo, std::move(arriving), tolerance, stop);
         if (after.size() < found.after.size()) after.resize(found.after.size());
         for (std::size_t k = 0; k < found.after.size(); ++k) after[k] += found.after[k];
         endless += found.endless;

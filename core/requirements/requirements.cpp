@@ -113,8 +113,8 @@ std::optional<double> rareLight(const RequirementsAnswer& answer) {
     constexpr double kRare = 0.1;
     for (const Candidate& candidate : answer.candidates) {
         if (!candidate.chosen || candidate.pilot.mean == 0.0) continue;
-        const auto& patches = answer.bounces.patches;
-        const double unmet = candidate.lacks && patches ? 1.0 - candidate.pilot.mean / patches->light : 0.0;
+        const double known = knownLight(answer.bounces, answer.plan.maxDepth);
+        const double unmet = candidate.lacks && known > 0.0 ? 1.0 - candidate.pilot.mean / known : 0.0;
         const double error = std::max(lightError(candidate.pilot), unmet);
         if (error > kRare) return error;
     }

@@ -119,7 +119,8 @@ class Search {
             return std::max(candidate.pilot.raysTo(answer_.tolerance),
                             kFewRays * static_cast<double>(candidate.pilot.pixels));
         };
-        double least = surelyThere();  // light that is surely brought
+        // Light that is surely there: a slit between rooms patches can't miss as rays can.
+        double least = knownLight(answer_.bounces, depth());
         bool any = false;
         for (const Candidate& candidate : answer_.candidates) {
             least = std::max(least, surelyBrought(candidate.pilot));
@@ -142,16 +143,6 @@ class Search {
         if (answer_.dark) best = &answer_.candidates.back();
         for (Candidate& candidate : answer_.candidates) candidate.chosen = &candidate == best;
         answer_.plan = best->plan;
-    }
-
-    /// Light that patches know of at the plan's depth: a slit between rooms they can't miss as rays can.
-    double surelyThere() const {
-        const BounceFindings& bounces = answer_.bounces;
-        if (!bounces.patches) return 0.0;
-        constexpr double kRough = 0.02;
-        const auto beyond = shareBeyondDepth(bounces, depth());
-        return (1.0 - kRough) * (1.0 - std::min(1.0, mayMiss(*beyond))) *
-               (bounces.patches->light - kSurely * bounces.patches->lightError);
     }
 
     void tryOtherRoulette() {

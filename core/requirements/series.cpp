@@ -7,6 +7,7 @@
 #include "core/requirements/words.h"
 
 namespace halfdisk {
+
 Difference differenceOf(const Pilot& all, const Pilot& upTo) {
     double mean = 0.0, squares = 0.0;
     const double n = static_cast<double>(all.totals.size());
@@ -30,10 +31,8 @@ ParamValues shortParams(const Way& way, const SegmentIndex& index) {
     return params;
 }
 
-}  // namespace
-
-std::optional<Series> seriesOf(const RequirementsQuestion& question, const SceneTraits& traits,
-                               std::uint64_t& rays) {
+/// All ways that find all light, each as deep as it can be followed; photons only where nothing else does.
+std::vector<Series> allSeries(const RequirementsQuestion& question) {
     struct Depth {
         std::string_view estimator;
         bool mis;
@@ -50,22 +49,27 @@ std::optional<Series> seriesOf(const RequirementsQuestion& question, const Scene
                     {{findEstimator(id), shortParams(way, question.index), deepest,
                       static_cast<std::uint32_t>(kMaxSpecularInfo.initial), IndexMethod::automatic, way},
                      deepest});
+    return all;
+}
+
+}  // namespace
+
+std::optional<Series> seriesOf(const RequirementsQuestion& question, const SceneTraits& traits,
+                               std::uint64_t& rays) {
+    std::vector<Series> all = allSeries(question);
     if (all.empty()) return std::nullopt;
     if (!traits.specular || !traits.area) all.resize(1);
     std::vector<Pilot> runs;
     double surely = 0.0;
     for (const Series& series : all) {
-        if (series.plan.way.estimator == "bidirectional" &&
-            std::any_of(runs.begin(), runs.end(), tooLongToJoin)) {
-            all.pop_back();
-            break;
-        }
+        const bool joins = series.plan.way.estimator == "bidirectional";
+        if (joins && std::any_of(runs.begin(), runs.end(), tooLongToJoin)) break;
         runs.push_back(deepestRun(question, series, rays));
         surely = std::max(surely, surelyBrought(runs.back()));
     }
     std::size_t best = 0;
     constexpr double kClearly = 0.5;  // the others are less deep, or dearer
-    for (std::size_t k = 0; k < all.size(); ++k)
+    for (std::size_t k = 0; k < runs.size(); ++k)
         if (!lacksLight(runs[k], surely) &&
             (lacksLight(runs[best], surely) || lightError(runs[k]) < kClearly * lightError(runs[best])))
             best = k;

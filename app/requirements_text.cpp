@@ -176,11 +176,15 @@ std::string requirementsText(const RequirementsAnswer& answer, const SegmentInde
     }
     text += "\nplan: " + wrapped(planLine(answer.plan, index), 6);
     if (const std::string lost = lostSentence(answer); !lost.empty()) text += "NOTE: " + wrapped(lost, 6);
-    if (const auto error = rareLight(answer))
-        text += "NOTE: " + wrapped(fmt::format("light is so rare here that the plan's short run knows it to "
-                                               "± {:.2g} % only: what is told above may be far off",
-                                               100.0 * *error),
-                                   6);
+    if (const auto rare = rareLight(answer))
+        text += "NOTE: " +
+                wrapped(fmt::format("light is so rare here that the plan's short run {}: what is "
+                                    "told above may be far off",
+                                    rare->isUnmet
+                                        ? fmt::format("has not met {:.2g} % of what patches know of",
+                                                      100.0 * rare->share)
+                                        : fmt::format("knows it to ± {:.2g} % only", 100.0 * rare->share)),
+                        6);
     text += fmt::format("found with {} rays in {:.2g} s\n", answer.rays, answer.seconds);
     return text;
 }
@@ -293,7 +297,7 @@ Json requirementsJson(const RequirementsAnswer& answer, const SegmentIndex& inde
     tellLost(answer, object);
     object["tried"] = candidatesJson(answer, index);
     const auto rare = rareLight(answer);
-    object["lightKnownTo"] = rare ? jsonOf(*rare) : Json();
+    object["lightKnownTo"] = rare ? jsonOf(rare->share) : Json();
     object["rays"] = answer.rays;
     object["seconds"] = jsonOf(answer.seconds);
     return object;

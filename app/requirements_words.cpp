@@ -195,8 +195,10 @@ std::string adviceLacks(const AppState& state) {
     const double share = shareOf(planned->bounces.missing, planned->plan.maxDepth) +
                          shareOf(planned->specular.missing, planned->plan.maxSpecular);
     if (share > kSeen) return say("It leaves out {:.2g} % of the light.", 100.0 * std::min(1.0, share));
-    if (const auto error = rareLight(*planned))
-        return say("Light is rare here: the short run knows it to {:.2g} % only.", 100.0 * *error);
+    if (const auto rare = rareLight(*planned))
+        return rare->isUnmet
+                   ? say("Light is rare here: the short run has not met {:.2g} % of it.", 100.0 * rare->share)
+                   : say("Light is rare here: the short run knows it to {:.2g} % only.", 100.0 * rare->share);
     return {};
 }
 

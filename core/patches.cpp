@@ -9,7 +9,7 @@
 namespace halfdisk {
 namespace {
 
-/// A lit side between two places where other walls stand on it.
+/// A lit side between two places where it is cut.
 struct Stretch {
     std::uint32_t segment;
     bool front;
@@ -17,7 +17,21 @@ struct Stretch {
     double length;    // m
 };
 
-std::vector<Stretch> stretchesOf(const Visibility& visibility, const StopQuestion& stop) {
+/// Where a side is cut: u, ascending. `contacts` as contactsOf gives them.
+std::vector<double> cutsOf(std::uint32_t segment, bool front, std::vector<double> contacts,
+                           std::span<const WallPlace> cuts) {
+    constexpr double kApart = 1e-6;  // of the wall: the places are no surer
+    for (const WallPlace& cut : cuts) {
+        if (cut.segment != segment || cut.front != front) continue;
+        const auto next = std::lower_bound(contacts.begin(), contacts.end(), cut.u);
+        if (next == contacts.begin() || next == contacts.end()) continue;
+        if (cut.u - *(next - 1) > kApart && *next - cut.u > kApart) contacts.insert(next, cut.u);
+    }
+    return contacts;
+}
+
+std::vector<Stretch> stretchesOf(const Visibility& visibility, std::span<const WallPlace> cuts,
+                                 const StopQuestion& stop) {
     const SegmentIndex& index = visibility.index();
     std::vector<Stretch> stretches;
     for (std::uint32_t i = 0; i < index.scene().segments.size(); ++i) {
@@ -26,9 +40,10 @@ std::vector<Stretch> stretchesOf(const Visibility& visibility, const StopQuestio
         const std::vector<double> contacts = contactsOf(wall, visibility.corners());
         for (const bool front : {true, false}) {
             if (!front && !wall.twoSided) continue;
-            for (std::size_t k = 0; k + 1 < contacts.size(); ++k)
-                stretches.push_back({i, front, contacts[k], contacts[k + 1],
-                                     index.length(i) * (contacts[k + 1] - contacts[k])});
+            const std::vector<double> places = cutsOf(i, front, contacts, cuts);
+            for (std::size_t k = 0; k + 1 < places.size(); ++k)
+                stretches.push_back(
+                    {i, front, places[k], places[k + 1], index.length(i) * (places[k + 1] - places[k])});
         }
     }
     return stretches;
@@ -47,9 +62,13 @@ std::size_t litSides(const Scene& scene) {
     return sides;
 }
 
-Patches::Patches(const Visibility& visibility, std::uint32_t wanted, const StopQuestion& stop) {
+Patches::Patches(const Visibility& visibility, std::uint32_t wanted, const StopQuestion& stop)
+    : Patches(visibility, wanted, {}, stop) {}
+
+Patches::Patches(const Visibility& visibility, std::uint32_t wanted, std::span<const WallPlace> cuts,
+                 const StopQuestion& stop) {
     const SegmentIndex& index = visibility.index();
-    const std::vector<Stretch> stretches = stretchesOf(visibility, stop);
+    const std::vector<Stretch> stretches = stretchesOf(visibility, cuts, stop);
     if (stretches.size() > kMost)
         throw std::invalid_argument("the walls touch at so many places that they take " +
                                     std::to_string(stretches.size()) + " patches, expected at most " +

@@ -1,7 +1,9 @@
 // Into which pieces are walls cut, so that each can be taken to send out the same radiance everywhere?
 #pragma once
 
-#include "exact.h"
+#include <span>
+
+#include "shadow_edges.h"
 
 namespace halfdisk {
 
@@ -24,6 +26,9 @@ class Patches {
     /// patches in all, shared by length, one at least. Throws std::invalid_argument if that takes more than
     /// kMost, and Stopped if `stop` says so.
     Patches(const Visibility& visibility, std::uint32_t wanted, const StopQuestion& stop = {});
+    /// Cut at these places too.
+    Patches(const Visibility& visibility, std::uint32_t wanted, std::span<const WallPlace> cuts,
+            const StopQuestion& stop = {});
 
     const std::vector<Patch>& all() const { return patches_; }
     std::size_t size() const { return patches_.size(); }

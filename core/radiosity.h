@@ -37,8 +37,6 @@ class Radiosity {
     std::span<const Rgb> scattered() const { return scattered_; }
 
  private:
-    template <class Visit>
-    void forPatches(const ShadedPoint& at, const VisibleArc& arc, const Visit& visit) const;
     template <class Measure>
     Rgb gather(const ShadedPoint& at, const Measure& measure, Counts& counts, ArcMemory& memory) const;
 

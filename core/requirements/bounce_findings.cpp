@@ -22,7 +22,7 @@ std::vector<BeyondDepth> measured(const RequirementsQuestion& question, const Se
     const auto upTo = [&](std::uint32_t depth) {
         Plan plan = series.plan;
         plan.maxDepth = depth;
-        Pilot run = pilot(problem, plan, {.rays = 0, .leastPasses = all.passes, .mostPasses = all.passes});
+        Pilot run = pilot(problem, plan, {.rays = 0, .leastPasses = all.passes});
         rays += run.rays;
         return run;
     };

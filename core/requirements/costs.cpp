@@ -62,14 +62,12 @@ PlanCost beside(const RequirementsQuestion& question, const Sensor& small, const
     // Roulette is drawn beside the path, which stays the same up to its end.
     const bool paired = plan.way == other.way;
     const PilotLimits wanted =
-        paired ? PilotLimits{.rays = 0, .leastPasses = known.passes, .mostPasses = known.passes}
-               : PilotLimits{.rays = limits.rays};
+        paired ? PilotLimits{.rays = 0, .leastPasses = known.passes} : PilotLimits{.rays = limits.rays};
     double fastest = kInfinity, fastestOther = known.secondsPerRay();
     for (int repeat = 0; repeat < limits.repeats; ++repeat) {
         cost.pilot = run(question, small, plan, wanted);
         fastest = std::min(fastest, cost.pilot.secondsPerRay());
-        const Pilot again =
-            run(question, small, other, {.rays = 0, .leastPasses = known.passes, .mostPasses = known.passes});
+        const Pilot again = run(question, small, other, {.rays = 0, .leastPasses = known.passes});
         fastestOther = std::min(fastestOther, again.secondsPerRay());
     }
     if (known.mean > 0.0) {

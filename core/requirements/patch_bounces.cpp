@@ -118,7 +118,9 @@ PatchBounces compared(const Division& half, const Division& whole, double tolera
     for (std::uint32_t depth = 0; depth < whole.beyond.size(); ++depth) {
         const double share = whole.beyond[depth],
                      byHalf = half.beyond[std::min<std::size_t>(depth, half.beyond.size() - 1)];
-        bounces.beyond.push_back({depth, share, std::abs(share - byHalf)});
+        // Two divisions may agree by chance, where they didn't one scattering before.
+        const double before = bounces.beyond.empty() ? 0.0 : bounces.beyond.back().standardError;
+        bounces.beyond.push_back({depth, share, std::max(std::abs(share - byHalf), before / 2.0)});
         if (isEnough(bounces.beyond.back(), tolerance)) break;
     }
     return bounces;
@@ -130,9 +132,11 @@ std::optional<PatchBounces> patchBounces(const SegmentIndex& index, const Sensor
                                          const StopQuestion& stop) {
     if (index.scene().segments.size() > kMostWalls) return std::nullopt;
     const Visibility visibility(index, stop);
+    std::vector<WallPlace> cuts = shadowEdges(visibility, stop);
+    if (cuts.size() > kPatches) cuts.clear();
     const auto dividedInto = [&](std::size_t wanted) -> std::optional<Division> {
         try {
-            const Patches patches(visibility, static_cast<std::uint32_t>(wanted), stop);
+            const Patches patches(visibility, static_cast<std::uint32_t>(wanted), cuts, stop);
             if (patches.size() > kMostPatches) return std::nullopt;
             Division division = divisionOf(visibility, patches, sensor, tolerance, stop);
             if (division.beyond.empty()) return std::nullopt;

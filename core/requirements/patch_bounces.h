@@ -18,7 +18,8 @@ struct PatchBounces {
     std::size_t patches = 0;
     double light = 0.0, lightError = 0.0;  ///< mean of all pixels and channels, of any number of scatterings
     /// Of light at the sensor that is scattered more often than D = 0, 1, ... times: until that is surely no
-    /// more than the tolerance, or 1000. The errors: how much half as many patches differ.
+    /// more than the tolerance, or 1000. The errors: how much half as many patches differ, no
+    /// less than half of that of one scattering less.
     std::vector<BeyondDepth> beyond;
 };
 

@@ -46,7 +46,7 @@ Pilot pilot(const Problem& problem, const Plan& plan, const PilotLimits& limits)
     Picture picture(result.pixels);
     const Stopwatch working;
     while (film.passes < limits.leastPasses ||
-           (film.counts.rays < limits.rays && film.passes < limits.mostPasses)) {
+           std::max<std::uint64_t>(film.counts.rays, film.passes * result.pixels) < limits.rays) {
         std::fill(picture.begin(), picture.end(), Rgb(0.0));
         estimator->addPass(film.passes, picture, film.counts);
         film.add(picture);

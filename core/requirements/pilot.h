@@ -53,8 +53,8 @@ inline bool tooLongToJoin(const Pilot& run) {
 }
 
 struct PilotLimits {
-    std::uint64_t rays = 60'000;  ///< ends after the pass that reaches it
-    std::uint64_t leastPasses = 8, mostPasses = 4096;
+    std::uint64_t rays = 60'000;  ///< ends after the pass that reaches it, or as many samples of pixels
+    std::uint64_t leastPasses = 8;
 };
 
 /// The same question of fewer pixels: pictures of any size are planned in the same time.

@@ -109,14 +109,14 @@ void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer
 
 }  // namespace
 
-std::optional<double> rareLight(const RequirementsAnswer& answer) {
+std::optional<RareLight> rareLight(const RequirementsAnswer& answer) {
     constexpr double kRare = 0.1;
     for (const Candidate& candidate : answer.candidates) {
         if (!candidate.chosen || candidate.pilot.mean == 0.0) continue;
         const double known = knownLight(answer.bounces, answer.plan.maxDepth);
         const double unmet = candidate.lacks && known > 0.0 ? 1.0 - candidate.pilot.mean / known : 0.0;
-        const double error = std::max(lightError(candidate.pilot), unmet);
-        if (error > kRare) return error;
+        const double error = lightError(candidate.pilot);
+        if (std::max(error, unmet) > kRare) return RareLight{std::max(error, unmet), unmet > error};
     }
     return std::nullopt;
 }

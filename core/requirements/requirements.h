@@ -110,9 +110,14 @@ inline bool hasLight(const RequirementsAnswer& answer) {
     return answer.facts.traits.delta || answer.facts.traits.area;
 }
 
-/// Where light is so rare that what is measured is a rough guess: the relative standard error to which the
-/// short run of the plan knows it, or the share of it that the run has not met though patches know of it.
-std::optional<double> rareLight(const RequirementsAnswer& answer);
+/// How badly the short run of the plan knows its light.
+struct RareLight {
+    double share = 0.0;    ///< relative standard error, or the part that it has not met
+    bool isUnmet = false;  ///< the latter: patches know of it
+};
+
+/// Where light is so rare that what is measured is a rough guess.
+std::optional<RareLight> rareLight(const RequirementsAnswer& answer);
 
 /// Throws std::invalid_argument, with words for the user, for sensors that can't be used, and if no way does
 /// what is forced; Stopped if question.stop says so.

@@ -1,6 +1,7 @@
 #include "core/requirements/sensor_view.h"
 
-#include "core/arc_measure.h"
+#include "core/arc_patches.h"
+#include "core/nearest_wall.h"
 #include "core/surface.h"
 
 namespace halfdisk {
@@ -14,17 +15,12 @@ double evenly(std::uint32_t k, int dimension) {
     return std::modf(0.5 + (k + 1.0) / std::pow(kRoot, dimension + 1), &whole);
 }
 
-Rgb straightRadiance(const SegmentIndex& index, const Hit& hit, Vec2 direction) {
-    if (!hit) return index.environment(direction);
-    return isLitSide(index, hit) ? index.scene().segments[hit.segment].emission : Rgb(0.0);
-}
-
 Rgb directFluence(const Visibility& visibility, Vec2 P) {
     Rgb sum = deltaFluence(visibility.index(), P);
     for (const Vec2 N : {Vec2(0.0, 1.0), Vec2(0.0, -1.0)}) {
         const ShadedPoint half{P, N};
         for (const VisibleArc& arc : visibility.arcs(half))
-            sum += (arc.to - arc.from) * straightRadiance(visibility.index(), arc.hit, middleOf(half, arc));
+            sum += (arc.to - arc.from) * straightRadiance(visibility.index(), half, arc);
     }
     return sum;
 }
@@ -86,28 +82,21 @@ class Viewer {
         const Segment& wall = index_.scene().segments[at.segment];
         const bool front = glm::dot(at.N, index_.normal(at.segment)) > 0.0;
         if (!front && !wall.twoSided) return std::nullopt;
-        const Vec2 along = wall.b - wall.a;
-        const double u = glm::dot(at.P - wall.a, along) / glm::dot(along, along);
-        return patches_.at(at.segment, front, std::clamp(u, 0.0, 1.0));
+        return patches_.at(at.segment, front, nearestOnStretch(wall.a, wall.b, at.P).t);
     }
 
-    /// Each arc that is seen in parts of its own. `measure`: how much radiance between two angles counts.
+    /// All that is seen, however narrow. `measure`: how much radiance between two angles counts.
     template <class Measure>
     void seeArcs(const ShadedPoint& at, double least, double most, bool gathered, const Measure& measure) {
-        constexpr double kFewest = 4.0;
-        const double whole = measure(least, most);
-        for (const VisibleArc& arc : visibility_.arcs(at)) {
-            const double from = std::max(least, arc.from), to = std::min(most, arc.to);
-            if (!(from < to)) continue;
-            const auto count =
-                static_cast<std::uint32_t>(std::max(kFewest, std::ceil(places_ * measure(from, to) / whole)));
-            const double step = (to - from) / count;
-            for (std::uint32_t k = 0; k < count; ++k) {
-                throwIfStopped(stop_, k);
-                const double theta = from + k * step;
-                see(rayFrom(index_, at, directionAt(at, theta + step / 2.0)), measure(theta, theta + step),
-                    gathered);
-            }
+        for (VisibleArc arc : visibility_.arcs(at)) {
+            throwIfStopped(stop_);
+            arc.from = std::max(least, arc.from);
+            arc.to = std::min(most, arc.to);
+            if (!(arc.from < arc.to)) continue;
+            if (!gathered) view_.straight += measure(arc.from, arc.to) * straightRadiance(index_, at, arc);
+            forPatches(index_, patches_, at, arc, [&](std::size_t patch, double from, double to) {
+                seePatch(patch, measure(from, to), gathered);
+            });
         }
     }
 
@@ -115,10 +104,17 @@ class Viewer {
     /// scattered once more.
     void see(const Ray& ray, double weight, bool gathered) {
         const Hit hit = index_.closestHit(ray);
-        if (!gathered) view_.straight += weight * straightRadiance(index_, hit, ray.direction);
-        if (!hit || !isLitSide(index_, hit)) return;
-        const std::size_t patch = patches_.at(hit.segment, hit.front, hit.u);
-        const Rgb scattered = weight / 2.0 * std::get<Diffuse>(index_.material(hit.segment)).albedo;
+        if (!hit) {
+            if (!gathered) view_.straight += weight * index_.environment(ray.direction);
+        } else if (isLitSide(index_, hit)) {
+            if (!gathered) view_.straight += weight * index_.scene().segments[hit.segment].emission;
+            seePatch(patches_.at(hit.segment, hit.front, hit.u), weight, gathered);
+        }
+    }
+
+    void seePatch(std::size_t patch, double weight, bool gathered) {
+        const Rgb scattered =
+            weight / 2.0 * std::get<Diffuse>(index_.material(patches_.all()[patch].segment)).albedo;
         (gathered ? view_.later : view_.now)[patch] += scattered;
         // The patch's mean: few places would meet a narrow beam, or too many.
         if (!gathered) view_.straight += scattered * direct_[patch];
@@ -141,7 +137,7 @@ SensorView viewOf(const Sensor& sensor, const Visibility& visibility, const Patc
     const auto* probe = std::get_if<Probe>(&sensor);
     if (const auto* strip = std::get_if<EyeStrip>(&sensor))
         viewer.seeStrip(*strip);
-    else if (probe && probe->at.segment == kNoSegment)
+    else if (probe)
         viewer.seeHalfDisk(probe->at);
     else
         viewer.seePlaces(sensor);

@@ -113,8 +113,10 @@ BeyondDepth shareBeyond(std::uint32_t events, const Pilot& all, const Pilot& upT
 
 std::string shareWords(const BeyondDepth& beyond, double tolerance) {
     std::string text = words::percent(beyond.share);
-    constexpr double kTold = 0.01;  // of the share
-    if (beyond.standardError <= kTold * beyond.share) return text + " of the light";
+    // An error is told that is more than this of the share, or of what may be missing.
+    constexpr double kOfShare = 0.01, kOfTolerance = 1e-3;
+    if (beyond.standardError <= std::max(kOfShare * beyond.share, kOfTolerance * tolerance))
+        return text + " of the light";
     text += words::joined(" (± ", words::percent(beyond.standardError), ") of the light");
     if (isEnough(beyond, tolerance))
         text += words::joined(", with two standard errors added ", words::percent(mayMiss(beyond)));

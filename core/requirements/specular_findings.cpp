@@ -37,9 +37,7 @@ class Chains {
 
     const Pilot& first() const { return first_; }
 
-    Pilot upTo(std::uint32_t events) {
-        return run(events, {.rays = 0, .leastPasses = first_.passes, .mostPasses = first_.passes});
-    }
+    Pilot upTo(std::uint32_t events) { return run(events, {.rays = 0, .leastPasses = first_.passes}); }
 
  private:
     Pilot run(std::uint32_t events, const PilotLimits& limits) {

@@ -118,7 +118,7 @@ TEST_CASE("requirements: chains between mirrors that absorb are followed as far 
     const auto upTo = [&](std::uint32_t events) {
         Plan plan = answer.plan;
         plan.maxSpecular = events;
-        return pilot(problem, plan, {.rays = 0, .leastPasses = 2000, .mostPasses = 2000});
+        return pilot(problem, plan, {.rays = 0, .leastPasses = 2000});
     };
     const Pilot all = upTo(static_cast<std::uint32_t>(kMaxSpecularInfo.most));
     const auto missing = [&](std::uint32_t events) { return shareBeyond(events, all, upTo(events)); };
@@ -204,7 +204,7 @@ TEST_CASE("requirements: light that few paths meet is followed by a way that mee
             Plan plan = answer.series->plan;
             plan.maxDepth = depth;
             return pilot({.index = index, .sensor = sensor, .seed = 77}, plan,
-                         {.rays = 0, .leastPasses = 600, .mostPasses = 600});
+                         {.rays = 0, .leastPasses = 600});
         };
         const Pilot all = upTo(answer.series->deepest);
         const auto missing = [&](std::uint32_t depth) { return shareBeyond(depth, all, upTo(depth)); };
@@ -296,7 +296,7 @@ TEST_CASE("requirements: where only photons carry all light, no more than the to
         const auto upTo = [&](std::uint32_t depth) {
             Plan plan = answer.plan;
             plan.maxDepth = depth;
-            return pilot(problem, plan, {.rays = 0, .leastPasses = 24, .mostPasses = 24});
+            return pilot(problem, plan, {.rays = 0, .leastPasses = 24});
         };
         const Pilot all = upTo(60);
         const auto missing = [&](std::uint32_t depth) { return shareBeyond(depth, all, upTo(depth)); };

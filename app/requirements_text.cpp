@@ -110,7 +110,8 @@ Json candidatesJson(const RequirementsAnswer& answer, const SegmentIndex& index)
     for (const Candidate& candidate : answer.candidates) {
         Json row = planJson(candidate.plan, index);
         // What lacks light has no number: its noise says nothing of what it has not met.
-        row["raysToTolerance"] = candidate.lacks ? Json() : jsonOf(candidate.pilot.raysTo(answer.tolerance));
+        row["raysToTolerance"] =
+            candidate.lacks || answer.dark ? Json() : jsonOf(candidate.pilot.raysTo(answer.tolerance));
         row["secondsPerRay"] = jsonOf(candidate.pilot.secondsPerRay());
         row["raysTried"] = candidate.pilot.rays;
         row["chosen"] = candidate.chosen;
@@ -297,6 +298,7 @@ Json requirementsJson(const RequirementsAnswer& answer, const SegmentIndex& inde
     tellLost(answer, object);
     object["tried"] = candidatesJson(answer, index);
     const auto rare = rareLight(answer);
+    object["dark"] = answer.dark;
     object["lightKnownTo"] = rare ? jsonOf(rare->share) : Json();
     object["rays"] = answer.rays;
     object["seconds"] = jsonOf(answer.seconds);

@@ -63,24 +63,25 @@ std::size_t litSides(const Scene& scene) {
 }
 
 Patches::Patches(const Visibility& visibility, std::uint32_t wanted, const StopQuestion& stop)
-    : Patches(visibility, wanted, {}, stop) {}
+    : Patches(visibility, PatchDivision{wanted}, stop) {}
 
-Patches::Patches(const Visibility& visibility, std::uint32_t wanted, std::span<const WallPlace> cuts,
-                 const StopQuestion& stop) {
+Patches::Patches(const Visibility& visibility, const PatchDivision& division, const StopQuestion& stop) {
     const SegmentIndex& index = visibility.index();
-    const std::vector<Stretch> stretches = stretchesOf(visibility, cuts, stop);
-    if (stretches.size() > kMost)
+    const std::vector<Stretch> stretches = stretchesOf(visibility, division.cuts, stop);
+    if (division.times * stretches.size() > kMost)
         throw std::invalid_argument("the walls touch at so many places that they take " +
-                                    std::to_string(stretches.size()) + " patches, expected at most " +
-                                    std::to_string(kMost));
+                                    std::to_string(division.times * stretches.size()) +
+                                    " patches, expected at most " + std::to_string(kMost));
     double total = 0.0;
     for (const Stretch& stretch : stretches) total += stretch.length;
-    const double spare = std::max(0.0, static_cast<double>(wanted) - static_cast<double>(stretches.size()));
+    const double spare =
+        std::max(0.0, static_cast<double>(division.wanted) - static_cast<double>(stretches.size()));
 
     sides_.assign(2 * index.scene().segments.size(), {0, 0});
     for (const Stretch& stretch : stretches) {
         const Segment& wall = index.scene().segments[stretch.segment];
-        const auto count = 1 + static_cast<std::size_t>(spare * stretch.length / total);
+        const std::size_t count =
+            division.times * (1 + static_cast<std::size_t>(spare * stretch.length / total));
         const auto uAt = [&](std::size_t k) {
             return k == count ? stretch.to
                               : stretch.from + (stretch.to - stretch.from) * static_cast<double>(k) /

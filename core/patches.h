@@ -18,6 +18,13 @@ struct Patch {
     bool hidden = false;
 };
 
+/// How finely walls are cut.
+struct PatchDivision {
+    std::uint32_t wanted;                  ///< about so many patches in all, shared by length
+    std::span<const WallPlace> cuts = {};  ///< places where sides are cut too
+    std::uint32_t times = 1;               ///< each stretch in so many times as many
+};
+
 class Patches {
  public:
     static constexpr std::uint32_t kMost = 4000;
@@ -26,9 +33,7 @@ class Patches {
     /// patches in all, shared by length, one at least. Throws std::invalid_argument if that takes more than
     /// kMost, and Stopped if `stop` says so.
     Patches(const Visibility& visibility, std::uint32_t wanted, const StopQuestion& stop = {});
-    /// Cut at these places too.
-    Patches(const Visibility& visibility, std::uint32_t wanted, std::span<const WallPlace> cuts,
-            const StopQuestion& stop = {});
+    Patches(const Visibility& visibility, const PatchDivision& division, const StopQuestion& stop = {});
 
     const std::vector<Patch>& all() const { return patches_; }
     std::size_t size() const { return patches_.size(); }

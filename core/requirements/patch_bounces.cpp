@@ -12,16 +12,18 @@
 namespace halfdisk {
 namespace {
 
-constexpr std::size_t kMostWalls = 100;                    // the form factors take n^3
-constexpr std::size_t kPatches = 120, kMostPatches = 500;  // at first; at most
-constexpr std::uint32_t kPlaces = 16;                      // of the sensor, for each patch
-constexpr double kSmall = 0.1;  // of the tolerance: an error that more patches need not mend
+constexpr std::size_t kMostWalls = 100;                     // the form factors take n^3
+constexpr std::uint32_t kPatches = 40, kMostPatches = 600;  // about, at first; at most
+constexpr std::uint32_t kLeast = 4;                         // times as many as at first
+constexpr std::uint32_t kPlaces = 16;                       // of the sensor, for each patch
 constexpr std::uint32_t kMostBounces = 1000;
+constexpr double kDust = 1e-12;  // of the brightest: rounding
 
 /// Light at the sensor, of one channel.
 struct ByScatterings {
-    Row after;             ///< [k]: of light that was scattered exactly k times
-    double endless = 0.0;  ///< of all that was scattered more often
+    Row after;               ///< [k]: of light that was scattered exactly k times
+    double endless = 0.0;    ///< of all that was scattered more often
+    double brightest = 0.0;  ///< if as much arrived everywhere as where most does, unscattered
 };
 
 /// `now` and `later` as in SensorView.
@@ -38,10 +40,11 @@ double sumOf(const Row& light) {
 
 ByScatterings follow(const Exchange& exchange, const SensorView& view, int channel, const Row& albedo,
                      Row light, double tolerance, const StopQuestion& stop) {
-    ByScatterings found{{view.straight[channel]}};
+    ByScatterings found{{view.straight[channel]}, 0.0, 0.0};
     double all = found.after.front();
     const Row ones(light.size(), 1.0);
     const double mostSensed = sensed(view, channel, ones, ones);
+    found.brightest = mostSensed * *std::max_element(light.begin(), light.end());
     Row before = light, beforeThat;
     for (std::uint32_t k = 1; k <= kMostBounces; ++k) {
         throwIfStopped(stop);
@@ -87,7 +90,7 @@ Division divisionOf(const Visibility& visibility, const Patches& patches, const 
                                    kPlaces * static_cast<std::uint32_t>(patches.size()), stop);
     Division division{patches.size(), 0.0, 0.0, {}};
     Row after;
-    double endless = 0.0;
+    double endless = 0.0, brightest = 0.0;
     for (int channel = 0; channel < 3; ++channel) {
         Row albedo;
         for (const Patch& patch : patches.all())
@@ -101,9 +104,10 @@ Division divisionOf(const Visibility& visibility, const Patches& patches, const 
         if (after.size() < found.after.size()) after.resize(found.after.size());
         for (std::size_t k = 0; k < found.after.size(); ++k) after[k] += found.after[k];
         endless += found.endless;
+        brightest += found.brightest;
     }
     const double all = sumOf(after) + endless;
-    if (!(all > 0.0)) return division;
+    if (!(all > kDust * brightest)) return division;
     division.light = all / 3.0;
     double rest = endless;
     division.beyond.resize(after.size());
@@ -111,19 +115,42 @@ Division divisionOf(const Visibility& visibility, const Patches& patches, const 
     return division;
 }
 
-/// What both tell, the finer one with the difference as its error.
-PatchBounces compared(const Division& half, const Division& whole, double tolerance) {
+/// What both tell, the finer one with the difference as its error. Two divisions may agree by chance, as
+/// where a wall is lit evenly about its middle: no less than half of what coarser ones told, `before`, and of
+/// what one scattering less does.
+PatchBounces compared(const Division& half, const Division& whole, const std::optional<PatchBounces>& before,
+                      double tolerance) {
     PatchBounces bounces{
         whole.spectralRadius, whole.patches, whole.light, std::abs(whole.light - half.light), {}};
+    if (before) bounces.lightError = std::max(bounces.lightError, before->lightError / 2.0);
     for (std::uint32_t depth = 0; depth < whole.beyond.size(); ++depth) {
         const double share = whole.beyond[depth],
                      byHalf = half.beyond[std::min<std::size_t>(depth, half.beyond.size() - 1)];
-        // Two divisions may agree by chance, where they didn't one scattering before.
-        const double before = bounces.beyond.empty() ? 0.0 : bounces.beyond.back().standardError;
-        bounces.beyond.push_back({depth, share, std::max(std::abs(share - byHalf), before / 2.0)});
+        double error = std::abs(share - byHalf);
+        if (depth > 0) error = std::max(error, bounces.beyond.back().standardError / 2.0);
+        if (before && depth < before->beyond.size())
+            error = std::max(error, before->beyond[depth].standardError / 2.0);
+        bounces.beyond.push_back({depth, share, error});
         if (isEnough(bounces.beyond.back(), tolerance)) break;
     }
     return bounces;
+}
+
+/// Whether more patches need not mend it.
+bool isFine(const PatchBounces& bounces, double tolerance) {
+    constexpr double kSmall = 0.1;     // of the tolerance
+    constexpr double kOfLight = 0.02;  // ways are held against it
+    return bounces.beyond.back().standardError <= kSmall * tolerance &&
+           bounces.lightError <= kOfLight * bounces.light;
+}
+
+/// Whether three divisions with these cuts are possible.
+bool leaveRoom(const Visibility& visibility, std::span<const WallPlace> cuts, const StopQuestion& stop) {
+    try {
+        return kLeast * Patches(visibility, {1, cuts}, stop).size() <= kMostPatches;
+    } catch (const std::invalid_argument&) {
+        return false;
+    }
 }
 
 }  // namespace
@@ -133,10 +160,11 @@ std::optional<PatchBounces> patchBounces(const SegmentIndex& index, const Sensor
     if (index.scene().segments.size() > kMostWalls) return std::nullopt;
     const Visibility visibility(index, stop);
     std::vector<WallPlace> cuts = shadowEdges(visibility, stop);
-    if (cuts.size() > kPatches) cuts.clear();
-    const auto dividedInto = [&](std::size_t wanted) -> std::optional<Division> {
+    if (!leaveRoom(visibility, cuts, stop)) cuts.clear();
+    // Every stretch in so many times as many: a short wall's error shows as well.
+    const auto divided = [&](std::uint32_t times) -> std::optional<Division> {
         try {
-            const Patches patches(visibility, static_cast<std::uint32_t>(wanted), cuts, stop);
+            const Patches patches(visibility, {kPatches, cuts, times}, stop);
             if (patches.size() > kMostPatches) return std::nullopt;
             Division division = divisionOf(visibility, patches, sensor, tolerance, stop);
             if (division.beyond.empty()) return std::nullopt;
@@ -145,17 +173,16 @@ std::optional<PatchBounces> patchBounces(const SegmentIndex& index, const Sensor
             return std::nullopt;
         }
     };
-    std::optional<Division> half = dividedInto(kPatches / 2);
+    std::optional<Division> half = divided(1);
     if (!half) return std::nullopt;
-    auto wanted = std::max(kPatches, 2 * half->patches);
     std::optional<PatchBounces> bounces;
-    while (std::optional<Division> whole = dividedInto(wanted)) {
-        bounces = compared(*half, *whole, tolerance);
-        if (bounces->beyond.back().standardError <= kSmall * tolerance) break;
+    for (std::uint32_t times = 2;; times *= 2) {
+        std::optional<Division> whole = divided(times);
+        if (!whole) return bounces;
+        bounces = compared(*half, *whole, bounces, tolerance);
+        if (times >= kLeast && isFine(*bounces, tolerance)) return bounces;
         half = std::move(whole);
-        wanted *= 2;
     }
-    return bounces;
 }
 
 }  // namespace halfdisk

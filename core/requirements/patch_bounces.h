@@ -19,7 +19,7 @@ struct PatchBounces {
     double light = 0.0, lightError = 0.0;  ///< mean of all pixels and channels, of any number of scatterings
     /// Of light at the sensor that is scattered more often than D = 0, 1, ... times: until that is surely no
     /// more than the tolerance, or 1000. The errors: how much half as many patches differ, no
-    /// less than half of that of one scattering less.
+    /// less than half of how much coarser ones do, and of that of one scattering less.
     std::vector<BeyondDepth> beyond;
 };
 

@@ -112,10 +112,12 @@ void choosePlan(const RequirementsQuestion& question, RequirementsAnswer& answer
 std::optional<RareLight> rareLight(const RequirementsAnswer& answer) {
     constexpr double kRare = 0.1;
     for (const Candidate& candidate : answer.candidates) {
-        if (!candidate.chosen || candidate.pilot.mean == 0.0) continue;
+        if (!candidate.chosen) continue;
         const double known = knownLight(answer.bounces, answer.plan.maxDepth);
-        const double unmet = candidate.lacks && known > 0.0 ? 1.0 - candidate.pilot.mean / known : 0.0;
-        const double error = lightError(candidate.pilot);
+        const double unmet =
+            known > 0.0 && (candidate.lacks || answer.dark) ? 1.0 - candidate.pilot.mean / known : 0.0;
+        // Where nothing was met and nothing is known there may be none.
+        const double error = candidate.pilot.mean > 0.0 ? lightError(candidate.pilot) : 0.0;
         if (std::max(error, unmet) > kRare) return RareLight{std::max(error, unmet), unmet > error};
     }
     return std::nullopt;

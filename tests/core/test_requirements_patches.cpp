@@ -188,3 +188,30 @@ TEST_CASE("requirements: a beam inside a patch is not smeared over it") {
         CHECK(std::abs(beyond.share - (1.0 - upTo(depth) / all)) < 3.0 * beyond.standardError + 0.002);
     }
 }
+
+TEST_CASE("requirements: patches own up to what two divisions agree about by chance") {
+    // A bulb in the middle of a small box: halves of its walls are as bright as the whole, but through the
+    // slit the front room sees their dark corner.
+    Scene scene = polygonRoom({{0.0, 0.0}, {2.0, 0.0}, {2.0, 1.5}, {0.0, 1.5}}, Rgb(0.8));
+    for (const auto& [a, b] : {std::pair(Vec2(0.5, 0.5), Vec2(0.6, 0.5)),
+                               {{0.6, 0.5}, {0.6, 0.6}},
+                               {{0.6, 0.6}, {0.5, 0.6}},
+                               {{0.5, 0.6}, {0.5, 0.51}}})
+        addWall(scene, a, b, Rgb(0.5), Rgb(0.0), true);
+    scene.lights.emplace_back(PointLight{{0.55, 0.55}, Rgb(3.0)});
+    const SegmentIndex index(scene);
+    const ShadedPoint place{index.pointOn(3, 0.3), index.normal(3), 3};
+    const auto told = patchBounces(index, Probe{place}, 0.01);
+    REQUIRE(told);
+    const auto upTo = [&](std::optional<std::uint32_t> depth) {
+        Counts counts;
+        return Radiosity(index, 2000, depth).irradiance(place, counts).x;
+    };
+    const double all = upTo(std::nullopt);
+    for (const std::uint32_t depth : {1u, 2u, 3u}) {
+        CAPTURE(depth);
+        const BeyondDepth& beyond = told->beyond[depth];
+        CHECK(std::abs(beyond.share - (1.0 - upTo(depth) / all)) < 3.0 * beyond.standardError);
+        CHECK(beyond.standardError < 0.03);
+    }
+}

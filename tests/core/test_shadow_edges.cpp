@@ -74,7 +74,7 @@ TEST_CASE("shadow edges: both ends of a lamp cast one, and patches end there") {
         const std::vector<double> places = on(edges, 0);
         CHECK(
             std::any_of(places.begin(), places.end(), [&](double u) { return std::abs(u - place) < 1e-5; }));
-        const Patches patches(visibility, 20, edges);
+        const Patches patches(visibility, {20, edges});
         const auto [first, end] = patches.of(0, true);
         CHECK(std::any_of(patches.all().begin() + static_cast<std::ptrdiff_t>(first),
                           patches.all().begin() + static_cast<std::ptrdiff_t>(end),

@@ -9,6 +9,8 @@
 #include "app/cli_probe_passes.h"
 #include "app/cli_probe_report.h"
 #include "app/estimator_arguments.h"
+#include "app/plan_words.h"
+#include "app/requirements_json.h"
 #include "app/requirements_text.h"
 #include "lessons/scene_file.h"
 

@@ -9,6 +9,7 @@
 #include "app/cli_probe.h"
 #include "app/render_sensor.h"
 #include "app/requirements_arguments.h"
+#include "app/requirements_json.h"
 #include "app/requirements_text.h"
 #include "lessons/scene_file.h"
 

@@ -10,9 +10,20 @@ std::string requirementsTable(const AppState& state) {
     const RequirementsAnswer* known = knownRequirements(state);
     if (!known) return table.text();
     const auto& costs = state.answer->instruments.costs;
-    const auto numbers = [&](const PlanCost& cost) {
-        table.cell(cost.change).cell(cost.changeError).cell(cost.changeOfPixels);
-        table.cell(cost.raysFactor).cell(cost.timePerRayFactor);
+    const auto result = [&](const PlanCost& cost, const std::string& impossible) {
+        if (!impossible.empty()) {
+            table.empty(5).cell(std::string_view(impossible));
+            return;
+        }
+        if (const auto& change = cost.change)
+            table.cell(change->share).cell(change->standardError).cell(change->ofPixels);
+        else
+            table.empty(3);
+        if (cost.raysFactor)
+            table.cell(*cost.raysFactor);
+        else
+            table.empty();
+        table.cell(cost.timePerRayFactor).empty();
     };
     const auto head = [&](const Requirement& one) {
         table.cell(infoOf(one.id).name).cell(one.on ? 1.0 : 0.0);
@@ -35,12 +46,7 @@ std::string requirementsTable(const AppState& state) {
                 any = true;
                 head(one);
                 table.cell(static_cast<double>(row.from)).cell(static_cast<double>(row.to));
-                if (row.impossible.empty()) {
-                    numbers(row.cost);
-                    table.empty();
-                } else {
-                    table.empty(5).cell(std::string_view(row.impossible));
-                }
+                result(row.cost, row.impossible);
                 table.endRow();
             }
         if (any) continue;
@@ -49,8 +55,8 @@ std::string requirementsTable(const AppState& state) {
     }
     if (!costs || !costs->complete()) return table.text();
     table.cell(std::string_view("everything")).empty(7);
-    numbers(costs->everything);
-    table.empty().endRow();
+    result(costs->everything, costs->everythingImpossible);
+    table.endRow();
     return table.text();
 }
 

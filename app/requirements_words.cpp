@@ -8,7 +8,7 @@
 
 #include "app/language.h"
 #include "app/message_words.h"
-#include "app/requirements_text.h"
+#include "app/plan_words.h"
 #include "core/requirements/words.h"
 #include "lessons/maker_reader.h"
 
@@ -53,9 +53,11 @@ std::string valueWords(const Requirement& requirement) {
 constexpr double kSeen = 1e-5;  // of the light: less is not told
 
 std::string lightWords(const PlanCost& cost) {
-    const double sure = 2.0 * cost.changeError;
-    const bool changes = std::abs(cost.change) > sure && std::abs(cost.change) > kSeen;
-    std::string words = changes ? say("light {:+.2g} %", 100.0 * cost.change) : std::string(tr("same light"));
+    if (!cost.raysFactor) return std::string(tr("no run met light"));
+    if (!cost.change) return std::string(tr("such light was not met"));
+    const double share = cost.change->share, sure = 2.0 * cost.change->standardError;
+    const bool changes = std::abs(share) > sure && std::abs(share) > kSeen;
+    std::string words = changes ? say("light {:+.2g} %", 100.0 * share) : std::string(tr("same light"));
     if (sure > kSeen) words += say(" (\u00b1 {:.1g} %)", 100.0 * sure);
     return words;
 }
@@ -65,15 +67,17 @@ std::string factorWords(double factor) {
 }
 
 std::string raysWords(const PlanCost& cost) {
-    if (std::isinf(cost.raysFactor)) return std::string(tr("noise, where there was none"));
-    if (cost.raysFactor == 0.0) return std::string(tr("no noise any more"));
-    return say("rays \u00d7 {}", factorWords(cost.raysFactor));
+    if (!cost.raysFactor) return std::string(tr("rays unknown"));
+    if (std::isinf(*cost.raysFactor)) return std::string(tr("noise, where there was none"));
+    if (*cost.raysFactor == 0.0) return std::string(tr("no noise any more"));
+    return say("rays \u00d7 {}", factorWords(*cost.raysFactor));
 }
 
 std::string timeWords(const PlanCost& cost) {
-    if (!std::isfinite(cost.timeFactor()) || cost.timeFactor() <= 0.0)
+    const std::optional<double> factor = cost.timeFactor();
+    if (!factor || !std::isfinite(*factor) || *factor <= 0.0)
         return say("each ray takes \u00d7 {}", factorWords(cost.timePerRayFactor));
-    return say("time \u00d7 {}", factorWords(cost.timeFactor()));
+    return say("time \u00d7 {}", factorWords(*factor));
 }
 
 std::string costWords(const RequirementCost& row, bool time) {
@@ -186,6 +190,9 @@ std::string advice(const AppState& state) {
 std::string adviceLacks(const AppState& state) {
     const RequirementsAnswer* planned = plannedOf(state);
     if (!planned) return {};
+    if (planned->dark && planned->bounces.patches)
+        return std::string(
+            tr("No short run met any light, but patches know of some: this plan may lose it."));
     if (planned->dark)
         return std::string(tr("No short run met any light: if there is some, this plan may lose it."));
     if (!planned->loses.empty()) return told(fmt::format("This plan {}.", planned->loses));
@@ -212,6 +219,8 @@ std::string forcedWords(const AppState& state) {
 std::string everythingWords(const AppState& state) {
     const InstrumentAnswers* answers = answersOf(state);
     if (!answers || !answers->costs || !answers->costs->complete()) return {};
+    if (const std::string& why = answers->costs->everythingImpossible; !why.empty())
+        return say("With everything on: {}.", told(why));
     const PlanCost& cost = answers->costs->everything;
     return say("With everything on: {}, {}, {}.", lightWords(cost), raysWords(cost), timeWords(cost));
 }

@@ -8,10 +8,15 @@
 
 namespace halfdisk {
 
-/// Radiance (W/(m rad)) that an arc's wall, or the environment, sends of its own.
+/// Radiance (W/(m rad)) that the wall that is met, or the environment, sends of its own.
+inline Rgb straightRadiance(const SegmentIndex& index, const Hit& hit, Vec2 direction) {
+    if (!hit) return index.environment(direction);
+    return isLitSide(index, hit) ? index.scene().segments[hit.segment].emission : Rgb(0.0);
+}
+
+/// The same of an arc's wall.
 inline Rgb straightRadiance(const SegmentIndex& index, const ShadedPoint& at, const VisibleArc& arc) {
-    if (!arc.hit) return index.environment(middleOf(at, arc));
-    return isLitSide(index, arc.hit) ? index.scene().segments[arc.hit.segment].emission : Rgb(0.0);
+    return straightRadiance(index, arc.hit, middleOf(at, arc));
 }
 
 /// Calls visit(patch, from, to) for each patch, exactly between its own two angles; for none on a dark side.

@@ -31,14 +31,13 @@ Pilot run(const RequirementsQuestion& question, const Sensor& small, const Plan&
 }
 
 // The same way with the same random numbers differs by just what was changed: pass by pass.
-double errorOfChange(const PlanCost& cost, const Pilot& other, bool paired) {
-    if (!paired)
-        return std::sqrt(cost.pilot.meanError * cost.pilot.meanError + other.meanError * other.meanError);
+double errorOfChange(const Pilot& pilot, const Pilot& other, bool paired) {
+    if (!paired) return std::sqrt(pilot.meanError * pilot.meanError + other.meanError * other.meanError);
     const double n = static_cast<double>(other.totals.size());
-    const double mean = cost.pilot.mean - other.mean;
+    const double mean = pilot.mean - other.mean;
     double squares = 0.0;
     for (std::size_t k = 0; k < other.totals.size(); ++k) {
-        const double off = cost.pilot.totals[k] - other.totals[k] - mean;
+        const double off = pilot.totals[k] - other.totals[k] - mean;
         squares += off * off;
     }
     return n > 1.0 ? std::sqrt(squares / (n - 1.0) / n) : 0.0;
@@ -58,7 +57,7 @@ double changeOfPixels(const Pilot& pilot, const Pilot& other, bool paired) {
 
 PlanCost beside(const RequirementsQuestion& question, const Sensor& small, const Plan& plan,
                 const Plan& other, const Pilot& known, const CostLimits& limits) {
-    PlanCost cost{.plan = plan, .pilot = {}};
+    PlanCost cost{.plan = plan, .pilot = {}, .change = {}, .raysFactor = {}};
     // Roulette is drawn beside the path, which stays the same up to its end.
     const bool paired = plan.way == other.way;
     const PilotLimits wanted =
@@ -70,39 +69,47 @@ PlanCost beside(const RequirementsQuestion& question, const Sensor& small, const
         const Pilot again = run(question, small, other, {.rays = 0, .leastPasses = known.passes});
         fastestOther = std::min(fastestOther, again.secondsPerRay());
     }
-    if (known.mean > 0.0) {
-        cost.change = (cost.pilot.mean - known.mean) / known.mean;
-        cost.changeError = errorOfChange(cost, known, paired) / known.mean;
-    }
-    cost.changeOfPixels = changeOfPixels(cost.pilot, known, paired);
+    if (fastestOther > 0.0) cost.timePerRayFactor = fastest / fastestOther;
+    if (known.mean == 0.0) return cost;
+    cost.change = LightChange{(cost.pilot.mean - known.mean) / known.mean,
+                              errorOfChange(cost.pilot, known, paired) / known.mean,
+                              changeOfPixels(cost.pilot, known, paired)};
     const double noise = cost.pilot.variance * cost.pilot.raysPerPass(),
                  noiseOther = known.variance * known.raysPerPass();
-    if (noiseOther > 0.0) cost.raysFactor = noise / noiseOther;
-    if (noiseOther == 0.0 && noise > 0.0) cost.raysFactor = kInfinity;
-    if (fastestOther > 0.0) cost.timePerRayFactor = fastest / fastestOther;
+    cost.raysFactor = noiseOther > 0.0 ? noise / noiseOther : noise > 0.0 ? kInfinity : 1.0;
     return cost;
+}
+
+std::string lightWords(const PlanCost& cost) {
+    if (!cost.raysFactor) return "no short run met any light";
+    if (!cost.change) return "no path met light that this changes";
+    const double share = cost.change->share, sure = 2.0 * cost.change->standardError;
+    if (std::abs(share) > sure && std::abs(share) > 1e-9)
+        return words::joined("light changes by ", words::number(100.0 * share), " % (± ",
+                             words::number(100.0 * sure, 1), " %)");
+    return sure > 0.0 ? words::joined("no light is lost (within ", words::number(100.0 * sure, 1), " %)")
+                      : "light stays the same";
 }
 
 std::string wordsOf(const RequirementCost& row) {
     if (!row.impossible.empty()) return row.impossible;
-    const PlanCost& cost = row.cost;
-    std::string text;
-    const double sure = 2.0 * cost.changeError;
-    if (std::abs(cost.change) > sure && std::abs(cost.change) > 1e-9) {
-        text = words::joined("light changes by ", words::number(100.0 * cost.change), " % (± ",
-                             words::number(100.0 * sure, 1), " %)");
-    } else if (cost.changeError > 0.0) {
-        text = words::joined("no light is lost (within ", words::number(100.0 * sure, 1), " %)");
-    } else {
-        text = "light stays the same";
+    std::string text = lightWords(row.cost);
+    if (const auto rays = row.cost.raysFactor) {
+        if (std::isinf(*rays))
+            text += "; there is noise, where the plan has none";
+        else if (*rays == 0.0)
+            text += "; there is no noise";
+        else
+            text += words::joined("; ", words::number(*rays, 3), " times the rays to the same noise");
     }
-    if (std::isinf(cost.raysFactor))
-        text += "; there is noise, where the plan has none";
-    else if (cost.raysFactor == 0.0)
-        text += "; there is no noise";
-    else
-        text += words::joined("; ", words::number(cost.raysFactor, 3), " times the rays to the same noise");
-    return words::joined(text, ", ", words::number(cost.timePerRayFactor, 2), " times the time per ray");
+    return words::joined(text, ", ", words::number(row.cost.timePerRayFactor, 2), " times the time per ray");
+}
+
+/// Whether the scene has paths of which the number `id` lets through more or fewer.
+bool mayChange(RequirementId id, const SceneFacts& facts) {
+    return id == RequirementId::specular  ? facts.traits.specular
+           : id == RequirementId::bounces ? facts.mostAlbedo > 0.0
+                                          : false;
 }
 
 /// What to change each requirement to.
@@ -139,6 +146,10 @@ void measureRow(const RequirementsQuestion& question, const RequirementsAnswer& 
     try {
         const RequirementsAnswer other = replanned(forced, answer);
         row.cost = beside(question, small, other.plan, answer.plan, known, limits);
+        // Not one path differs: that the light is the same nobody knows.
+        const std::optional<LightChange>& change = row.cost.change;
+        if (mayChange(row.id, answer.facts) && change && change->share == 0.0 && change->standardError == 0.0)
+            row.cost.change.reset();
     } catch (const std::invalid_argument& why) {
         row.impossible = why.what();
     }
@@ -153,9 +164,8 @@ void measureEverything(const RequirementsQuestion& question, const RequirementsA
                                   everythingOn(question.index, question.sensor, answer.plan.maxDepth,
                                                std::max(usual, answer.plan.maxSpecular)),
                                   answer.plan, costs.plan, limits);
-    } catch (const std::invalid_argument&) {
-        costs.everything.plan = answer.plan;
-        costs.everything.pilot = costs.plan;
+    } catch (const std::invalid_argument& why) {
+        costs.everythingImpossible = why.what();
     }
 }
 

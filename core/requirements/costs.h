@@ -6,18 +6,26 @@
 
 namespace halfdisk {
 
+/// What one plan brings beside another one.
+struct LightChange {
+    double share = 0.0;          ///< of the mean light: (this - other) / other
+    double standardError = 0.0;  ///< of it
+    /// Root mean square of the change of each pixel, in parts of the light's, less what noise makes: light
+    /// that is missing here and too much there shows as well. 0 where noise hides it.
+    double ofPixels = 0.0;
+};
+
 /// A plan beside another one, which it would replace.
 struct PlanCost {
     Plan plan;
     Pilot pilot;
-    double change = 0.0;       ///< of the mean light: (this - other) / other
-    double changeError = 0.0;  ///< its standard error
-    /// Root mean square of the change of each pixel, in parts of the light's, less what noise makes: light
-    /// that is missing here and too much there shows as well. 0 where noise hides it.
-    double changeOfPixels = 0.0;
-    double raysFactor = 1.0;        ///< rays to the same noise
-    double timePerRayFactor = 1.0;  ///< as measured here and now: no two machines agree
-    double timeFactor() const { return raysFactor * timePerRayFactor; }
+    /// None: no run met any light, or none of that which the change adds or takes away.
+    std::optional<LightChange> change;
+    std::optional<double> raysFactor;  ///< rays to the same noise; none: no run of the other met any light
+    double timePerRayFactor = 1.0;     ///< as measured here and now: no two machines agree
+    std::optional<double> timeFactor() const {
+        return raysFactor ? std::optional(*raysFactor * timePerRayFactor) : std::nullopt;
+    }
 };
 
 struct RequirementCost {
@@ -32,6 +40,7 @@ struct Costs {
     Pilot plan;                         ///< of the plan itself
     std::vector<RequirementCost> rows;  ///< in the order of kRequirements; of numbers fewer, then more
     PlanCost everything;                ///< nothing left out (everythingOn), beside the plan
+    std::string everythingImpossible;   ///< empty, or why there is no such plan
     double seconds = 0.0;
     std::size_t pieces = 0, done = 0;  ///< the plan, each row and everything: of them measured
     bool complete() const { return pieces > 0 && done == pieces; }

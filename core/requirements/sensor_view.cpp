@@ -104,12 +104,9 @@ class Viewer {
     /// scattered once more.
     void see(const Ray& ray, double weight, bool gathered) {
         const Hit hit = index_.closestHit(ray);
-        if (!hit) {
-            if (!gathered) view_.straight += weight * index_.environment(ray.direction);
-        } else if (isLitSide(index_, hit)) {
-            if (!gathered) view_.straight += weight * index_.scene().segments[hit.segment].emission;
+        if (!gathered) view_.straight += weight * straightRadiance(index_, hit, ray.direction);
+        if (hit && isLitSide(index_, hit))
             seePatch(patches_.at(hit.segment, hit.front, hit.u), weight, gathered);
-        }
     }
 
     void seePatch(std::size_t patch, double weight, bool gathered) {

@@ -64,7 +64,7 @@ bool isAllCarried(const RequirementsQuestion& question, const RequirementsAnswer
     });
 }
 
-constexpr const char* kDark = "no way that was tried met any light: the one that looks in most ways is taken";
+constexpr const char* kDark = "no way that was tried met any light: the last one is taken";
 
 /// Of ways that do it and others; empty where there are not both.
 template <class Is, class IsOther>

@@ -139,7 +139,7 @@ class Search {
         };
         // All have met less than the patches know of.
         if (!best) best = &*std::max_element(answer_.candidates.begin(), answer_.candidates.end(), darker);
-        // Whoever looks in all ways is the last to miss something.
+        // The last one tried looks in most ways.
         if (answer_.dark) best = &answer_.candidates.back();
         for (Candidate& candidate : answer_.candidates) candidate.chosen = &candidate == best;
         answer_.plan = best->plan;

@@ -221,6 +221,9 @@ TEST_CASE("requirements: where no short run meets light this is told, and not th
           std::string::npos);
     for (const char* row : {"light-sampling", "roulette"})
         CHECK(rowOf(answer, row)["reason"].get<std::string>().find("met any light") != std::string::npos);
+    const Outcome costs = runProgram({"requirements", scene, "--costs", "--rays", "5000"});
+    CHECK(costs.out.find("none met") != std::string::npos);
+    CHECK(costs.out.find("0.00 \u00b1 0.00 %") == std::string::npos);
     // What is known to be missing is told all the same.
     CHECK(asked({sceneFile("mirror_tube.toml"), "--force", "specular=3"})["loses"].get<std::string>().find(
               "after mirror or glass event 3, ") == 0);

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include "core/requirements/bounce_findings.h"
-#include "core/requirements/costs.h"
 #include "core/requirements/series.h"
 #include "rooms.h"
 #include "support.h"
@@ -184,26 +183,6 @@ TEST_CASE("requirements: a short run is as long as asked, for one pixel too, and
     const Pilot dark = runOf(Profile{{hidden}, 8});
     CHECK(dark.rays == 0);
     CHECK(dark.passes == 10'000);
-}
-
-TEST_CASE("requirements: skipping bounces costs the light that they bring") {
-    const Scene scene = litBox();
-    const SegmentIndex index(scene);
-    const Sensor sensor = Profile{{0}, 8};
-    const RequirementsQuestion question{.index = index, .sensor = sensor};
-    const RequirementsAnswer answer = requirementsOf(question);
-    const Costs costs = costsOf(question, answer, {.rays = 60'000, .repeats = 1});
-    bool fewer = false;
-    for (const RequirementCost& row : costs.rows) {
-        CHECK(!row.words.empty());
-        if (row.id != RequirementId::bounces || row.to + 1 != row.from) continue;
-        fewer = true;
-        CHECK(row.cost.change < 0.0);
-        CHECK(-row.cost.change < 1.2 * mayMiss(answer.bounces.patches->beyond[row.to]));
-    }
-    CHECK(fewer);
-    CHECK(costs.everything.plan.estimator->id == "bidirectional");
-    CHECK(std::abs(costs.everything.change) < 5.0 * costs.everything.changeError + 0.005);
 }
 
 TEST_CASE("requirements: a way that met no light has no noise, and is not chosen for it") {

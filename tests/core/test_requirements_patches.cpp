@@ -157,13 +157,13 @@ TEST_CASE("requirements: a way that has not met what patches know of is not chos
         REQUIRE(rare);
         CHECK(rare->share > 0.1);
         const double known = answer.bounces.patches->light;
-        std::size_t dark = 0;
+        std::size_t lacking = 0;
         for (const Candidate& candidate : answer.candidates)
             if (candidate.pilot.mean + 4.0 * candidate.pilot.meanError < 0.9 * known) {
-                ++dark;
+                ++lacking;
                 CHECK(candidate.lacks);
             }
-        CHECK(dark > 0);
+        CHECK(lacking > 0);
     }
 }
 
